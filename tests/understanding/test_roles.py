@@ -487,41 +487,6 @@ def test_what_is_of_another_type_says_no_order_again(order: str, role: str) -> N
     assert stated_roles(found, ("condition", "task", "again"))[2] == role
 
 
-HOME = "If [Ada](1:object) [is](1:check_state) [home](1:location), [ring](2:informing) [her](2:recipient)"
-
-
-@pytest.mark.parametrize(
-    ("denial", "joint", "expected"),
-    [
-        ("she [is](3:check_state)n't", ", or if [she](4:object)['s](4:check_state) [ill](4:state)", "or"),
-        ("she [is](3:check_state)n't", ", or [she](4:object)['s](4:check_state) [ill](4:state)", "or"),
-        ("she [is](3:check_state)n't", ", and if [she](4:object)['s](4:check_state) [ill](4:state)", "condition"),
-        (
-            "she['s](3:check_state) [ill](3:state)",
-            ", or if [she](4:object)['s](4:check_state) [in](4:state)",
-            "condition",
-        ),
-    ],
-)
-def test_a_further_case_for_what_is_done_otherwise_is_joined(denial: str, joint: str, expected: str) -> None:
-    found = clauses(f"{HOME}; if {denial}{joint}, [go](5:motion) [out](5:goal).")
-    roles = stated_roles(found, ("condition", "task", "mention", "condition", "task"))
-    assert roles[3] == expected
-    sides = stated_sides(found, roles, ("top", "<1+", "<1", "<1-", "<1+"))
-    assert sides[3] == ("<1+" if expected == "or" else "<1-")
-
-
-@pytest.mark.parametrize(("joint", "expected"), [("or if", "or"), ("and if", "condition")])
-def test_a_further_case_for_what_an_if_not_opens_is_joined(joint: str, expected: str) -> None:
-    found = clauses(
-        f"{HOME}; if not, {joint} [she](3:object)['s](3:check_state) [ill](3:state), [go](4:motion) [out](4:goal)."
-    )
-    roles = stated_roles(found, ("condition", "task", "condition", "task"))
-    assert roles[2] == expected
-    sides = stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))
-    assert sides[2] == ("<1-" if expected == "or" else "<1+")
-
-
 def test_yes_and_no_are_the_sides_of_an_answer() -> None:
     found = clauses(
         "[Ask](1:informing) [Lea](1:recipient) [if she wants soap](1:message). If [she](2:object) "
@@ -547,17 +512,6 @@ def test_what_there_is_beside_is_no_mention_of_another_state(asked: str, role: s
         "forks](2:object), [bring](3:bringing) [me](3:recipient) [one](3:object)."
     )
     assert stated_roles(found, ("condition", "mention", "task"))[1] == role
-
-
-@pytest.mark.parametrize(("first", "role"), [("is [busy](1:state)", "condition"), ("wants [tea](1:state)", "mention")])
-def test_what_somebody_wants_is_no_mention_where_nothing_before_was_a_wish(first: str, role: str) -> None:
-    verb, state = first.split(" ", 1)
-    found = clauses(
-        f"If [Leo](1:object) [{verb}](1:check_state) {state}, [ring](2:informing) [the bell](2:message). "
-        "[Offer](3:bringing) [him](3:recipient) [a bun](3:object); if he doesn't [want](4:check_state) [one](4:object)"
-        ", [call](5:informing) [me](5:recipient)."
-    )
-    assert stated_roles(found, ("condition", "task", "task", "mention", "task"))[3] == role
 
 
 def test_how_somebody_answers_what_they_are_asked_in_the_same_sentence_is_a_condition_of_its_own() -> None:
@@ -654,27 +608,3 @@ def test_another_change_of_the_same_thing_is_not_the_same_order_again(order: str
 def test_the_particle_of_a_verb_is_no_state(check: str, state: str | None) -> None:
     found = clauses(f"[Turn](1:change_state) [on](1:state) [the radio](1:object). If {check}, [call](3:informing) me.")
     assert found[1].wording.state == state
-
-
-@pytest.mark.parametrize(
-    ("case", "role"),
-    [
-        ("Unless [it](1:object) [is](1:check_state) [wet](1:state)", "condition"),
-        ("If [Ann](1:object) [is](1:check_state) [in](1:location)", "condition"),
-        ("If you can [find](1:searching) [the key](1:object)", "task"),
-        ("If you [find](1:searching) [the key](1:object)", "task"),
-    ],
-)
-def test_behind_the_order_of_a_case_an_if_you_cant_is_of_that_order(case: str, role: str) -> None:
-    found = clauses(
-        f"{case}, [open](2:change_state) [the gate](2:object). If you can't, [tell](3:informing) [me](3:recipient)."
-    )
-    assert stated_roles(found, ("condition", "task", "task"))[1] == role
-
-
-def test_an_if_you_cant_behind_an_if_you_can_answers_the_same_question() -> None:
-    found = clauses(
-        "Can you [open](1:change_state) [the jug](1:object)? If you can, [fill](2:change_state) [it](2:object); if you "
-        "can't, [tell](3:informing) [me](3:recipient)."
-    )
-    assert stated_roles(found, ("condition", "condition", "task")) == ("condition", "task", "task")

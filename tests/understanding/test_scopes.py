@@ -8,7 +8,6 @@ import pytest
 from annotated import clauses
 from readings import flow
 
-from decomplex_bt.understanding.control_flow.orders import stated_orders
 from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.interpreter import Interpreter
@@ -106,49 +105,6 @@ def test_what_an_unless_is_followed_by_is_done_instead(case: str, predicted: str
 
 
 @pytest.mark.parametrize(
-    ("first", "side", "order"),
-    [
-        ("but whatever you do, [fill](4:change_state) [the jug](4:object) first", "top", "before"),
-        ("but in any case first [fill](4:change_state) [the jug](4:object)", "top", "before"),
-        ("but [fill](4:change_state) [the jug](4:object) first", "<1+", "keep"),
-        ("but whatever you do, [fill](4:change_state) [the jug](4:object)", "<1+", "keep"),
-    ],
-)
-def test_what_is_done_first_in_any_case_hangs_on_no_case(first: str, side: str, order: str) -> None:
-    found = clauses(
-        "[Bring](1:bringing) [the tray](1:object) if [Leo](2:object)['s](2:check_state) [awake](2:state) or if "
-        f"[Ann](3:object) [is](3:check_state) [in](3:state), {first}."
-    )
-    roles = ("task", "condition", "or", "task")
-    sides = stated_sides(found, roles, (">1+", "top", "<1+", "<1+"))
-    assert sides[3] == side
-    assert stated_orders(found, roles, sides, ("keep",) * 4)[3] == order
-
-
-@pytest.mark.parametrize(
-    ("before", "behind", "expected"),
-    [
-        (
-            "before you [wax](2:change_state) [it](2:object), [move](3:bringing) [the chairs](3:object)",
-            "once you've [waxed](4:change_state) [it](4:object), [dry](5:change_state) [it](5:object)",
-            ("keep", "keep", "before", "keep", "keep"),
-        ),
-        # without the second mention the models are asked
-        (
-            "before you [wax](2:change_state) [it](2:object), [move](3:bringing) [the chairs](3:object)",
-            "then [wax](4:change_state) [the hall](4:object), and [dry](5:change_state) [it](5:object)",
-            ("after", "keep", "keep", "keep", "after"),
-        ),
-    ],
-)
-def test_an_order_stands_between_what_its_mentions_tell(before: str, behind: str, expected: tuple[str, ...]) -> None:
-    found = clauses(f"[Wax](1:change_state) [the floor](1:object), but {before}, and {behind}.")
-    roles = ("task", "again", "task", "again" if "once" in behind else "task", "task")
-    sides = ("top", "<1", "top", "<2" if roles[3] == "again" else "top", "top")
-    assert stated_orders(found, roles, sides, ("after", "keep", "keep", "keep", "after")) == expected
-
-
-@pytest.mark.parametrize(
     ("order", "role"),
     [
         ("you've [waxed](2:change_state) [it](2:object)", "again"),
@@ -181,21 +137,6 @@ def test_a_question_about_another_thing_is_asked_in_any_case(question: str, is_a
     )
     sides = stated_sides(found, ("condition", "task", "condition", "task"), ("top", "<1+", predicted, "<1+"))
     assert sides[2] == ("top" if is_apart else predicted)
-
-
-@pytest.mark.parametrize(
-    ("question", "role"),
-    [
-        ("or [is](2:check_state)n't [it](2:object)?", "mention"),
-        ("or [is](2:check_state) [it](2:object) [torn](2:state)?", "or"),
-    ],
-)
-def test_a_question_with_its_opposite_is_one_condition(question: str, role: str) -> None:
-    found = clauses(
-        f"[Is](1:check_state) [the kite](1:object) [in the loft](1:location) {question} If [it](3:object) "
-        "[is](3:check_state), [bring](4:bringing) [it](4:object)."
-    )
-    assert stated_roles(found, ("condition", "or", "mention", "task"))[1] == role
 
 
 @pytest.mark.parametrize(
@@ -235,23 +176,6 @@ def test_a_then_stays_in_the_case_behind_what_undoes_nothing() -> None:
 
 
 @pytest.mark.parametrize(
-    ("order", "expected"),
-    [
-        ("then [bring](4:bringing) [the jug](4:object)", "top"),
-        ("then [bring](4:bringing) [the cups](4:object)", "<1-"),
-        ("[bring](4:bringing) [the jug](4:object)", "<1-"),
-    ],
-)
-def test_what_was_filled_in_both_cases_is_brought_in_any(order: str, expected: str) -> None:
-    found = clauses(
-        "If [there](1:object) [is](1:check_state) tea, [put](2:placing) [it](2:object) [in the jug](2:goal), if not, "
-        f"[put](3:placing) [water](3:object) [in it](3:goal) and {order}."
-    )
-    sides = stated_sides(found, ("condition", "task", "task", "task"), ("top", "<1+", "<1-", "<1-"))
-    assert sides[3] == expected
-
-
-@pytest.mark.parametrize(
     ("mention", "expected"),
     [
         ("if you can't [see](3:searching) [it](3:object)", "<1+"),
@@ -266,23 +190,6 @@ def test_what_is_done_with_what_is_sought_depends_on_its_being_found(mention: st
     )
     sides = stated_sides(found, ("condition", "task", "mention", "task"), ("top", "top", "<1", "<1+"))
     assert sides[1] == expected
-
-
-@pytest.mark.parametrize(
-    ("check", "order", "role"),
-    [
-        ("if there are any pears left", "[bring](2:bringing) [me](2:recipient) [some](2:object)", "condition"),
-        ("whether the post has come", "[put](2:placing) [it](2:object) [on the shelf](2:goal)", "condition"),
-        ("if the soup is [hot](1:state)", "[bring](2:bringing) [it](2:object)", "task"),
-        ("if there are any pears left", "[tell](2:informing) [me](2:recipient)", "task"),
-        ("if there are any pears left", "[bring](2:bringing) [me](2:recipient) [the bowl](2:object)", "task"),
-    ],
-)
-def test_what_is_fetched_of_what_is_checked_to_be_there_hangs_on_that(check: str, order: str, role: str) -> None:
-    named = check.replace("any pears", "[any pears](1:object)").replace("the post", "[the post](1:object)")
-    named = named.replace("the soup", "[the soup](1:object)")
-    found = clauses(f"[See](1:check_state) {named} and {order}.")
-    assert stated_roles(found, ("task", "task"))[0] == role
 
 
 @pytest.mark.parametrize(
@@ -312,29 +219,6 @@ def test_what_is_done_instead_stands_in_place_of_the_last_order_of_its_kind(ahea
     assert sides[0] == side
 
 
-PUT_AWAY = (
-    "[Pick](1:taking) [it](1:object) up and [put](2:placing) [it](2:object) [in the crate](2:goal). If "
-    "[{what}](3:object) [is](3:check_state) [{state}](3:state), [put](4:placing) [the coat](4:object) "
-    "[on the desk](4:goal){instead}."
-)
-
-
-@pytest.mark.parametrize(
-    ("what", "state", "instead", "expected"),
-    [
-        ("the crate", "full", " instead", ("top", ">1-", "top", "<1+")),
-        ("the crate", "dusty", " instead", ("top", ">1-", "top", "<1+")),
-        ("the crate", "dusty", "", ("top", "top", "top", "<1+")),
-        ("the attic", "full", " instead", ("top", "top", "top", "<1+")),
-    ],
-)
-def test_an_instead_stands_in_place_of_the_order_for_a_place(
-    what: str, state: str, instead: str, expected: tuple[str, ...]
-) -> None:
-    found = clauses(PUT_AWAY.format(what=what, state=state, instead=instead))
-    assert stated_sides(found, ("task", "task", "condition", "task"), ("top", "top", "top", "<1+")) == expected
-
-
 @pytest.mark.parametrize(
     ("first", "second", "side"),
     [
@@ -351,63 +235,6 @@ def test_a_rival_is_not_asked_where_the_first_holds(first: str, second: str, sid
     found = clauses(f"If {first}, [answer](2:informing); if {second}, [go](4:motion) [out](4:goal).")
     roles = ("condition", "task", "condition", "task")
     assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))[2] == side
-
-
-@pytest.mark.parametrize(
-    ("state", "order", "content", "role"),
-    [
-        ("empty", "[carry](2:bringing) [it](2:object) [down](2:goal)",
-         "[it](3:object) still [holds](3:check_state) [coal](3:object)", "mention"),
-        ("empty", "[carry](2:bringing) [it](2:object) [down](2:goal)",
-         "there['s](3:check_state) [coal](3:object) [in it](3:location)", "mention"),
-        ("full", "[carry](2:bringing) [it](2:object) [down](2:goal)",
-         "there['s](3:check_state) [room](3:object) [in it](3:location)", "mention"),
-        ("empty", "[fill](2:change_state) [it](2:object)",
-         "there['s](3:check_state) [coal](3:object) [in it](3:location)", "condition"),
-        ("empty", "[carry](2:bringing) [it](2:object) [down](2:goal)",
-         "[it](3:object) [has](3:check_state) [a crack](3:object)", "condition"),
-        ("heavy", "[carry](2:bringing) [it](2:object) [down](2:goal)",
-         "[it](3:object) still [holds](3:check_state) [coal](3:object)", "condition"),
-    ],
-)  # fmt: skip
-def test_what_something_holds_is_the_other_side_of_its_being_empty(
-    state: str, order: str, content: str, role: str
-) -> None:
-    found = clauses(
-        f"If [the crate](1:object) [is](1:check_state) [{state}](1:state), {order}; if {content}, "
-        "[tell](4:informing) [Ann](4:recipient)."
-    )
-    assert stated_roles(found, ("condition", "task", "condition", "task"))[2] == role
-
-
-@pytest.mark.parametrize(("added", "side"), [("then also", "<1-"), ("then", "top"), ("also", "top")])
-def test_what_is_also_done_then_is_done_in_the_case(added: str, side: str) -> None:
-    found = clauses(
-        "[Call](1:informing) [me](1:recipient) if [the pump](2:object) [is](2:check_state)n't [on](2:state), and "
-        f"{added} [close](3:change_state) [the hatch](3:object)."
-    )
-    assert stated_sides(found, ("task", "condition", "task"), (">1-", "top", "top"))[2] == side
-
-
-GATE = "[Shut](1:change_state) [the gate](1:object). If "
-
-
-@pytest.mark.parametrize(
-    ("case", "settled"),
-    [
-        ("[it](2:object)['s](2:check_state) already [shut](2:state)", True),
-        ("[the gate](2:object) [is](2:check_state) [closed](2:state) already", True),
-        ("[it](2:object) [is](2:check_state) [shut](2:state) now", False),
-        ("[the barn](2:object) [is](2:check_state) already [shut](2:state)", False),
-        ("[it](2:object)['s](2:check_state) already [open](2:state)", False),
-    ],
-)
-def test_whether_it_is_so_already_is_asked_ahead_of_the_order(case: str, settled: bool) -> None:
-    found = clauses(f"{GATE}{case}, [feed](3:change_state) [the hens](3:object).")
-    roles = stated_roles(found, ("condition", "mention", "task"))
-    assert roles == (("task", "condition", "task") if settled else ("condition", "mention", "task"))
-    sides = stated_sides(found, ("task", "condition", "task"), ("top", "top", "<1+"))
-    assert sides == (">1-" if settled else "top", "top", "<1+")
 
 
 @pytest.mark.parametrize(

@@ -67,16 +67,6 @@ def test_what_an_otherwise_opens_is_never_done_where_the_condition_holds() -> No
     assert stated_sides(found, ("condition", "task"), ("top", "<1+")) == ("top", "<1-")
 
 
-def test_a_joined_check_points_to_the_one_before_it() -> None:
-    found = clauses(
-        "[Go](1:motion) [out](1:goal) if [it](2:object)['s](2:check_state) [wet](2:state) or [the lamp](3:object) "
-        "[is](3:check_state) [off](3:state)."
-    )
-    sides = (">1+", "top", "<1-")
-    assert stated_sides(found, ("task", "condition", "or"), sides) == (">1+", "top", "<1+")
-    assert stated_sides(found, ("task", "condition", "condition"), sides) == sides
-
-
 @pytest.mark.parametrize(
     ("order", "joined", "side"),
     [
@@ -438,42 +428,8 @@ def test_a_condition_behind_an_order_is_of_that_alone_where_the_one_before_canno
 
 
 @pytest.mark.parametrize(
-    ("event", "expected"),
-    [
-        ("after you have [swept](2:change_state) [it](2:object)", "top"),
-        ("once you've [swept](2:change_state) [it](2:object)", "top"),
-        ("when you've [swept](2:change_state) [it](2:object)", "top"),
-        ("after [sweeping](2:change_state) [it](2:object)", "top"),
-        ("when you [sweep](2:change_state) [it](2:object)", "<1+"),
-        ("before you [sweep](2:change_state) [it](2:object)", "<1+"),
-        (", [sweep](2:change_state) [it](2:object) after supper", "<1+"),
-    ],
-)
-def test_what_is_done_before_something_is_asked_does_not_hang_on_it(event: str, expected: str) -> None:
-    found = clauses(
-        f"If [the yard](1:object) [is](1:check_state) [icy](1:state) {event}, [call](3:informing) [Ann](3:recipient)."
-    )
-    roles = ("condition", "task", "task")
-    assert stated_sides(found, roles, ("top", "<1+", "<1+")) == ("top", expected, "<1+")
-
-
-def test_what_is_done_before_something_is_asked_is_done_in_the_same_branch() -> None:
-    found = clauses(
-        "If [Tom](1:object) [is](1:check_state) [in](1:state), [go](2:motion) [out](2:goal), and if [the yard]"
-        "(3:object) [is](3:check_state) [icy](3:state) after you have [swept](4:change_state) and "
-        "[hosed](5:change_state) [it](5:object), [call](6:informing) him."
-    )
-    roles = ("condition", "task", "condition", "task", "task", "task")
-    sides = ("top", "<1+", "<1+", "<1+", "<1+", "<1+")
-    assert stated_sides(found, roles, sides) == ("top", "<1+", "<1+", "<2+", "<2+", "<1+")
-
-
-@pytest.mark.parametrize(
     ("order", "joint", "expected"),
     [
-        ("[Wash](1:change_state) [the van](1:object)", "and [shut](3:change_state) [the gate](3:object)", "top"),
-        ("[Wash](1:change_state) [the van](1:object)", "and [take](3:bringing) [it](3:object) home", "<1+"),
-        ("[Go](1:motion) [to the den](1:goal)", "and [shut](3:change_state) [the gate](3:object)", "<1+"),
         ("[Wash](1:change_state) [the van](1:object)", "then [shut](3:change_state) [the gate](3:object)", "top"),
         ("[Wash](1:change_state) [the van](1:object)", "then [park](3:change_state) [it](3:object)", "<1-"),
         (
@@ -765,38 +721,6 @@ def test_a_condition_behind_a_comma_and_an_and_is_of_the_last_order(
 
 
 @pytest.mark.parametrize(
-    ("question", "opening", "expected"),
-    [
-        ("whether [the kiln](1:object) isn't [lit](1:state)", "If so, ", "<1+"),
-        ("whether [the kiln](1:object) isn't [lit](1:state)", "If that's the case, ", "<1+"),
-        ("whether [the kiln](1:object) is [lit](1:state)", "If that's the case, ", "<1+"),
-        ("whether [the kiln](1:object) is [lit](1:state)", "If that's not the case, ", "<1-"),
-    ],
-)
-def test_if_so_is_where_it_is_as_asked(question: str, opening: str, expected: str) -> None:
-    found = clauses(f"[See](1:check_state) {question}. {opening}[open](2:change_state) [the flue](2:object).")
-    assert stated_sides(found, ("condition", "task"), ("top", "<1-"))[1] == expected
-
-
-@pytest.mark.parametrize(
-    ("place", "end", "expected"),
-    [
-        ("[in the attic](2:location)", "", "top"),
-        ("[there](2:location)", "", "top"),
-        ("[in the attic](2:location)", " instead", ">1-"),
-    ],
-)
-def test_whether_nobody_is_in_a_place_is_not_asked_of_what_is_done_elsewhere(
-    place: str, end: str, expected: str
-) -> None:
-    found = clauses(
-        f"[Wash](1:change_state) [the pot](1:object). If nobody [is](2:check_state) {place}, "
-        f"[shut](3:change_state) [the gate](3:object){end}."
-    )
-    assert stated_sides(found, ("task", "condition", "task"), (">1-", "top", "<1+"))[0] == expected
-
-
-@pytest.mark.parametrize(
     ("second", "end", "expected"),
     [
         ("condition", ", and failing that, [tell](4:informing) [Ann](4:recipient).", ("top", "<1-", "<2", "<2-")),
@@ -835,18 +759,6 @@ def test_the_state_that_was_asked_stays_a_mention_behind_an_order() -> None:
 
 
 @pytest.mark.parametrize(
-    ("joint", "expected"), [(", ", ("top", "top")), (", and ", ("<1+", "<1+")), (" and ", ("<1+", "<1+"))]
-)
-def test_what_is_listed_on_behind_an_instead_is_done_in_any_case(joint: str, expected: tuple[str, ...]) -> None:
-    found = clauses(
-        "If [the pan](1:object) [is](1:check_state) [dirty](1:state), [take](2:taking) [the pot](2:object) instead"
-        f"{joint}[lay](3:change_state) [the table](3:object) and [light](4:change_state) [the candle](4:object)."
-    )
-    sides = stated_sides(found, ("condition", "task", "task", "task"), ("top", "<1+", "<1+", "<1+"))
-    assert sides[2:] == expected
-
-
-@pytest.mark.parametrize(
     ("denial", "step", "expected"), [("n't", "", "top"), ("", "", "<1+"), ("n't", " first", "<1+")]
 )
 def test_what_is_done_then_behind_what_makes_up_for_a_lack_is_done_in_any_case(
@@ -857,41 +769,6 @@ def test_what_is_done_then_behind_what_makes_up_for_a_lack_is_done_in_any_case(
         f"{step}, then [fill](3:change_state) [it](3:object)."
     )
     assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1+"))[2] == expected
-
-
-@pytest.mark.parametrize(
-    ("denial", "answer", "last", "expected"),
-    [
-        ("n't", "", "[pour](4:placing) [it](4:object) away", ">1+"),
-        ("n't", "", "[warm](4:change_state) [it](4:object)", "top"),
-        ("", "n't", "[pour](4:placing) [it](4:object) away", "top"),
-    ],
-)
-def test_what_is_first_checked_not_to_be_so_is_asked_of_the_order_ahead(
-    denial: str, answer: str, last: str, expected: str
-) -> None:
-    found = clauses(
-        "[Serve](1:change_state) [the cream](1:object), but first [check](2:check_state) that [it](2:object) is"
-        f"{denial} [sour](2:state), and if [it](3:object) [is](3:check_state){answer}, {last}."
-    )
-    sides = stated_sides(found, ("task", "condition", "mention", "task"), ("top", "top", "<1", "<1+"))
-    assert sides[0] == expected
-
-
-@pytest.mark.parametrize(
-    ("case", "expected"),
-    [
-        ("does[n't](3:manner) [know](3:check_state)", "<1+"),
-        ("[is](3:check_state) [asleep](3:state)", ">1-"),
-    ],
-)
-def test_who_does_not_know_has_been_asked(case: str, expected: str) -> None:
-    found = clauses(
-        "If you can't [find](1:searching) [the file](1:object), [ask](2:informing) [Tom](2:recipient), and if "
-        f"[he](3:object) {case}, [call](4:informing) [me](4:recipient)."
-    )
-    sides = stated_sides(found, ("condition", "task", "condition", "task"), ("top", ">1-", "<1+", "<1+"))
-    assert sides[1] == expected
 
 
 @pytest.mark.parametrize(

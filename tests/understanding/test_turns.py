@@ -36,14 +36,6 @@ def test_an_otherwise_behind_an_if_not_is_where_the_condition_holds(text: str, s
     assert stated_sides(found, ("condition", "task", "task"), ("top", "<1-", "<1-"))[2] == sides
 
 
-def test_what_an_if_not_opens_is_no_condition_of_the_otherwise() -> None:
-    found = clauses(
-        QUESTION + "If not, [bring](2:bringing) [me](2:recipient) [the mat](2:object), else [bring](3:bringing) "
-        "[me](3:recipient) [the rug](3:object)."
-    )
-    assert stated_roles(found, ("condition", "condition", "task")) == ("condition", "task", "task")
-
-
 def test_an_otherwise_behind_an_if_not_that_asks_for_nothing_is_where_the_condition_holds() -> None:
     found = clauses(QUESTION + "If not, leave it alone, otherwise [beat](2:change_state) [it](2:object).")
     assert stated_sides(found, ("condition", "task"), ("top", "<1-")) == ("top", "<1+")
@@ -121,19 +113,6 @@ def test_what_no_yes_or_no_answers_is_no_condition(question: str, roles: tuple[s
     assert stated_roles(found, ("condition", "mention", "task")) == roles
 
 
-def test_if_you_cannot_is_of_what_was_asked_you_can() -> None:
-    found = clauses(
-        "If you can [reach](1:motion) [the shelf](1:goal), [get](2:taking) [the jar](2:object) down; if you can't, "
-        "[call](3:informing) [me](3:recipient)."
-    )
-    assert stated_roles(found, ("condition", "condition", "task")) == ("condition", "task", "task")
-    found = clauses(
-        "If it [rains](1:check_state), [shut](2:change_state) [the hatch](2:object); if you can't, [call](3:informing) "
-        "[me](3:recipient)."
-    )
-    assert stated_roles(found, ("condition", "condition", "task")) == ("condition", "condition", "task")
-
-
 @pytest.mark.parametrize(("says", "side"), [("isn't", "<1-"), ("is", "<1+")])
 def test_what_is_done_if_it_is_not_is_done_where_the_check_proves_false(says: str, side: str) -> None:
     found = clauses(
@@ -177,15 +156,3 @@ def test_what_is_done_if_it_does_not_is_done_in_the_other_case(
 ) -> None:
     found = stated_sides(clauses(text), roles, sides)
     assert found[roles.index("task", 1)] == expected
-
-
-@pytest.mark.parametrize(
-    ("corrected", "side"),
-    [("No, [the green one](1:object), if", ">1+"), ("No, [the green one](1:object), unless", ">1-")],
-)
-def test_a_no_that_corrects_answers_nothing(corrected: str, side: str) -> None:
-    found = clauses(
-        f"[Bring](1:bringing) [me](1:recipient) the blue rug. {corrected} [it](2:object)'[s](2:check_state) "
-        "[dry](2:state)."
-    )
-    assert stated_sides(found, ("task", "condition"), (">1-", "top"))[0] == side

@@ -134,8 +134,6 @@ class Clause:
     """Whether it ends in an "either" or "too": it is so of somebody or something else as well."""
     says_still: bool = False
     """Whether it asks if something is "still" so."""
-    is_in_it: bool = False
-    """Whether it asks what is in "it": "if there's room *in it*"."""
     identified: str = ""
     """The noun or name of who or what it asks if "it" is: "if it's the *plumber*"."""
     says_instead: bool = False
@@ -266,13 +264,6 @@ class Clause:
     def is_trailing(self) -> bool:
         """Whether it stands behind what hangs on it: "bring the dog in if he's still out"."""
         return self.boundary == "none" and self.ends_sentence
-
-    @property
-    def is_first_anyway(self) -> bool:
-        """Whether it is to be done first in any case: "but whatever you do, fill it first"."""
-        words = {*self.far, *self.near}
-        is_first = "first" in (*self.near, *self.behind)
-        return "either_way" in words and is_first and {"if", "unless", "else", "when"}.isdisjoint(words)
 
     @property
     def is_of_whereabouts(self) -> bool:

@@ -82,7 +82,6 @@ _NONE_OF_IT = frozenset(
     )
 )  # fmt: skip
 _TOO = frozenset(("either", "too"))
-_IN_IT = (["in", "it"], ["inside", "it"], ["in", "there"], ["inside"])
 _INNER = frozenset(("still", "not", "can", "there", "also"))
 _WAYS = frozenset(("back", "home", "out", "again"))
 _TURNING_UP = frozenset("turn show pop".split())
@@ -222,7 +221,6 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_unwilling=_is_unwilling(observed, task, first, own_last),
         says_too=says_too,
         says_still="still" in near or any(t.lower == "still" for t in document.tokens[first : own_last + 1]),
-        is_in_it=_is_in_it(document, task),
         identified=_identified(document, task),
         says_instead=task.type == "check_state" and any(cue == "instead" for cue in (*near, *own)),
         forbids_order=any(is_elided(document, i) for i in range(token + 1, following)),
@@ -289,11 +287,6 @@ def _is_had(words: Sequence[str]) -> bool:
 def _compares(words: Sequence[str]) -> bool:
     """Whether words say more or less than what: "fewer than", "at least"."""
     return any(one in _MORE_OR_LESS and other in ("than", "least", "most") for one, other in pairwise(words))
-
-
-def _is_in_it(document: Document, task: MarkedTask) -> bool:
-    places = [indices for kind, indices in task.arguments if kind == "location"]
-    return any([document.tokens[j].lower for j in indices] in _IN_IT for indices in places)
 
 
 def _identified(document: Document, task: MarkedTask) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, LEADING, PRESENT, Clause
 from decomplex_bt.understanding.states import OPPOSITES, are_alike, are_apart, are_near
-from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS, ROOM
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 
 def is_asked_again_after(clause: Clause, first: Clause) -> bool:
@@ -162,22 +162,6 @@ def is_named_apart(clause: Clause, first: Clause) -> bool:
     are_apart_by = bool(clause.thing - first.thing) and bool(first.thing - clause.thing)
     is_same = clause.verb == first.verb and clause.wording.state == first.wording.state
     return clause.is_check and first.is_check and is_kind and are_apart_by and is_same
-
-
-def is_content_of(clause: Clause, first: Clause) -> bool:
-    """Whether it asks if something is in what the other asks to be empty, or if there is room in what that asks to
-    be full: "if the basket is empty, ...; if *it still contains clothes*, ..."."""
-    words = {clause.verb, *clause.thing} if clause.is_check else frozenset()
-    is_held = clause.verb in _HOLDING or clause.says_there_is
-    is_of_it = (clause.has_pronoun and clause.is_in_it) or (clause.verb in _HOLDING and "it" in clause.thing)
-    is_room = not ROOM.isdisjoint(words)
-    state = first.wording.state
-    is_other = (state in _EMPTY and not is_room) or (state in _FILLED and is_room)
-    is_inside = clause.verb != "have" or clause.says_still or clause.is_in_it
-    is_other = is_other and is_inside and _DAMAGES.isdisjoint(words)
-    are_stated = not (clause.wording.is_negated or first.wording.is_negated)
-    is_one = bool(first.objects) and first.number != "many"
-    return clause.is_check and first.is_check and is_held and is_of_it and is_other and are_stated and is_one
 
 
 def is_opposite_of(clause: Clause, first: Clause) -> bool:
@@ -349,13 +333,10 @@ def _is_of_return(clause: Clause, first: Clause) -> bool:
 _ANSWERING = frozenset("say answer reply choose pick want prefer".split())
 """What somebody does or has one of at a time."""
 _WISHING = frozenset("ask need fancy like".split())
-_HOLDING = frozenset("contain hold have".split())
 _DEEDS = frozenset("complain ask call cry knock ring bark moan grumble shout scream protest insist beg".split())
 _DEGREES = frozenset(("too", "enough"))
 _GOING = frozenset("go fail drop cut trip".split())
 _FALLING = frozenset("fall tip topple drop roll slip".split())
-_DAMAGES = frozenset("hole crack tear rip dent scratch leak chip stain".split())
-"""What is in something though it may be empty."""
 _EMPTY = frozenset(("empty",))
 _FILLED = frozenset(("full", "packed", "crammed"))
 _IFS = frozenset(("if", "unless", "only_if"))

@@ -15,12 +15,6 @@ def is_absence_of(clause: Clause, before: Clause) -> bool:
     return _is_absence(clause, before) and not _is_choice(clause)
 
 
-def is_absence_ahead(clause: Clause, before: Clause) -> bool:
-    """Whether an "or" chooses by that whom the task is for, so that it is asked ahead of it: "take it to Anna *or, if
-    she's out*, to Tom"."""
-    return _is_absence(clause, before) and _is_choice(clause) and clause.sentence == before.sentence
-
-
 def _is_choice(clause: Clause) -> bool:
     return clause.boundary == "," and (*clause.far, *clause.near)[:2] == ("or", "if")
 

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import BOTH
 from decomplex_bt.understanding.control_flow.clause import Clause
-from decomplex_bt.understanding.control_flow.repetitions import repeats
 
 _KEEPING = frozenset("keep leave stay sit stand hold remain watch".split())
 
@@ -28,12 +27,8 @@ def stated_orders(
         _prepare(clauses, roles, sides, stated, k)
         _make_ready(clauses, roles, sides, stated, k)
         _make_ready_all(clauses, sides, stated, k)
-        _come_between(clauses, roles, sides, stated, k)
         _clear_way(clauses, roles, sides, stated, k)
-        _come_first(clauses, roles, sides, stated, k)
-        _come_first_of_all(clauses, roles, sides, stated, k)
         _arrive(clauses, roles, sides, stated, k)
-        _surround(clauses, roles, sides, stated, k)
     return tuple(stated)
 
 
@@ -185,19 +180,6 @@ def _make_ready_all(clauses: Sequence[Clause], sides: Sequence[str], orders: lis
         orders[k] = "first"
 
 
-def _come_between(
-    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
-) -> None:
-    """A condition right behind an order goes ahead of it where what hangs on it is done before that, which is said
-    again ("turn the kettle on. If it's empty, fill it *before turning it on*")."""
-    first = next((j for j in range(k - 1, 0, -1) if roles[j] == "condition"), None)
-    is_again = roles[k] == "again" and "before" in clauses[k].near and clauses[k].boundary == "none"
-    if first is None or not is_again or roles[first - 1] != "task" or sides[first] != sides[first - 1]:
-        return
-    if repeats(clauses[k], clauses[first - 1]) and orders[first] == "keep":
-        orders[first], orders[first - 1] = "before", "keep"
-
-
 def _clear_way(
     clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
 ) -> None:
@@ -218,31 +200,6 @@ def _clear_way(
         orders[k] = "first"
 
 
-def _come_first(
-    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
-) -> None:
-    """What is to be done "first" in any case goes ahead of the cases told just before."""
-    is_behind = any(roles[j] != "task" and clauses[j].sentence >= clauses[k].sentence - 1 for j in range(k))
-    if not (is_behind and clauses[k].is_first_anyway and roles[k] == "task" and sides[k] == "top"):
-        return
-    orders[k] = "before" if orders[k] in ("keep", "last", "after") else orders[k]
-    for j in range(k):  # the "first" is not theirs
-        is_near = clauses[j].sentence == clauses[k].sentence
-        if is_near and roles[j] != "task" and orders[j] in ("before", "first") and not clauses[j].wording.orders:
-            orders[j] = "keep"
-
-
-def _come_first_of_all(
-    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
-) -> None:
-    """What is to be done, or asked, "before any of that" goes ahead of all that was told before."""
-    clause = clauses[k]
-    is_ahead = "before_all" in clause.near and clause.boundary != "none"
-    is_said = is_ahead or (clause.ends_sentence and "before_all" in clause.behind)
-    if is_said and roles[k] in ("task", "condition") and sides[k] == "top" and orders[k] in ("keep", "before"):
-        orders[k] = "first"
-
-
 def _arrive(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
     """What is done before somebody goes somewhere comes ahead of that, and behind it what is done once they are there
     ("before you go out, shut the door, *and once you're there*, roll up the hose")."""
@@ -258,30 +215,6 @@ def _arrive(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str
         for j in between:
             orders[j] = "before"
         orders[k] = "keep"
-
-
-def _surround(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
-    """An order that is said again behind what comes ahead of it stands between that and what follows ("wash the pan.
-    Before you wash it, *take the lid off*, and when you've washed it, *dry it*")."""
-    if roles[k] != "again" or not clauses[k].is_had_done:
-        return
-    ahead = next((j for j in range(k - 1, 0, -1) if _leads_back(clauses, roles, j)), k)
-    first, between = ahead - 1, range(ahead + (roles[ahead] == "again"), k)
-    are_plain = ahead < k and all(roles[j] == "task" and sides[j] == sides[first] for j in (first, *between))
-    is_same = are_plain and all(repeats(clauses[j], clauses[first]) for j in (ahead, k) if roles[j] == "again")
-    if not is_same or len({clauses[j].sentence for j in range(ahead, k + 1)}) > 1:
-        return
-    orders[first] = "keep"
-    for j in between:
-        orders[j] = "before"
-    if k + 1 < len(clauses) and orders[k + 1] not in ("first", "last") and not clauses[k + 1].wording.orders:
-        orders[k + 1] = "keep"
-
-
-def _leads_back(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
-    """Whether it says what comes ahead of the order before: "before you wash it", "before that"."""
-    is_again = roles[k] == "again" and "before" in clauses[k].near
-    return is_again or (roles[k] == "task" and "before_that" in (*clauses[k].far, *clauses[k].near))
 
 
 def _is_first(clause: Clause) -> bool:

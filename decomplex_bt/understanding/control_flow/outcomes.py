@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.control_flow.clause import FINDING, LEADING, PRESENT, Clause
+from decomplex_bt.understanding.control_flow.clause import FINDING, LEADING, Clause
 
 
 def is_guard_of(clause: Clause, before: Clause) -> bool:
@@ -106,17 +106,6 @@ def is_against(order: Clause, clause: Clause) -> bool:
     return any(state in states and not things.isdisjoint(order.objects) for states, things in _AGAINST)
 
 
-def needs_found(clause: Clause, check: Clause) -> bool:
-    """Whether it fetches what an order to check asks for, so that there must be such a thing: "see if there's any
-    milk *and bring me some*"."""
-    is_asked = check.task.type == "check_state" and check.is_asked and "whether" in check.behind
-    is_of_place = check.wording.state is None or check.wording.state in PRESENT | _ARRIVED
-    is_joined = clause.boundary == "none" and clause.near[-1:] == ("and",) and {"if", "so"}.isdisjoint(clause.near)
-    is_of_it = clause.has_pronoun and not clause.objects and clause.task.type in ("bringing", "taking", "placing")
-    is_plain = not clause.is_forbidden and not check.wording.is_negated and bool(check.thing)
-    return is_asked and is_of_place and is_joined and is_of_it and is_plain
-
-
 def turns_on_report(clause: Clause, report: Clause) -> str:
     """ "so" or "else", by which it is done in one case of what is to be told right ahead of it ("tell me if it's on
     and switch it off *if so*", "... and get some *if not*"); "" where it is not."""
@@ -195,4 +184,3 @@ _HEATERS = frozenset(
 )
 """What gets hot once it is switched on."""
 _ENDING = frozenset("finish end stop boil beep".split())
-_ARRIVED = frozenset("left come arrived delivered".split())

@@ -7,26 +7,14 @@ from collections.abc import Sequence
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
 from decomplex_bt.understanding.control_flow.clause import AROUND, Clause
 from decomplex_bt.understanding.control_flow.contrasts import asks_of, is_opposite_of
-from decomplex_bt.understanding.control_flow.failures import is_case_against, is_fallback_behind, is_fallback_for
-from decomplex_bt.understanding.control_flow.outcomes import asks_needless, comes_through, needs_found
+from decomplex_bt.understanding.control_flow.failures import is_fallback_behind, is_fallback_for
+from decomplex_bt.understanding.control_flow.outcomes import comes_through
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
 from decomplex_bt.understanding.cue_phrases import GOVERNING
 
 _TURNING = GOVERNING | frozenset("else fail so or instead then".split())
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
 _LEAVING = frozenset(("leave", "keep"))
-
-
-def ask_ahead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """Whether what is ordered is so already is no outcome of the order ("open it. *If it's open already*, ...")."""
-    is_outcome = roles[k - 1] == "condition" and roles[k] == "mention" and "mention" not in roles[k + 1 :]
-    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    things = set(clauses[first].objects) if first is not None else set()
-    is_other = bool(things) and things.isdisjoint(clauses[k - 1].objects)
-    # "if the study is empty, close the window; if *that's closed already*, ...", not "if it's on, turn it off; ..."
-    is_nested = (roles[k - 1], roles[k]) == ("task", "mention") and bool(clauses[k - 1].objects) and is_other
-    if (is_outcome or is_nested) and asks_needless(clauses[k], clauses[k - 1]):
-        roles[k - 1 : k + 1] = "task", "condition"
 
 
 def leave_as_is(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -70,18 +58,6 @@ def ask_ahead_of_other(clauses: Sequence[Clause], roles: list[str], k: int) -> N
         roles[k] = "mention" if is_opposite_of(clause, check) else "condition"
 
 
-def ask_of_its_person(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """How the one is whom an order names is no part of the case of that order ("if the baby cries, tell my wife, *or if
-    she's asleep*, tell me")."""
-    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "or", "task"):
-        return
-    order, clause, other = clauses[k - 1 : k + 2]
-    is_led = clause.boundary == "," and clause.near == ("or", "if") and other.boundary == "," and not other.near
-    is_of_order = (clause.is_of_person and bool(order.receivers)) or clause.takes_up(order)
-    if is_led and is_of_order and order.task.type == other.task.type:
-        roles[k] = "condition"
-
-
 def repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """An order that is only said again, to say what comes before it, is carried out once; what is of another type than
     all orders before, or names another thing, says none of them again, and what is done in the other case of the last
@@ -114,12 +90,6 @@ def _says_again(clause: Clause, before: Clause) -> bool:
     return repeats(clause, before) or forbids_same(clause, before)
 
 
-def call_off(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """What tells in which case an order is not to be carried out is a condition."""
-    if (roles[k - 1], roles[k]) == ("task", "task") and is_case_against(clauses[k], clauses[k - 1]):
-        roles[k] = "condition"
-
-
 def choose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Of two orders that an "or" joins the second is for where the first fails."""
     if may_choose(clauses, roles, k) and roles[k - 1] == "task":
@@ -139,12 +109,6 @@ def fall_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_behind = is_fallback_behind(clause, order) and not any(before.ability for before in clauses[:k])
     if is_next and (is_for_order or is_fallback_for(clause, order) or is_behind):
         roles[k - 1] = "condition"
-
-
-def turn_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """What an "if not" opens is no condition of what an "otherwise" opens behind it."""
-    if opened_if_not(clauses, roles, k) == k - 1 and roles[k - 1] == "condition":
-        roles[k - 1] = "task"
 
 
 def opened_if_not(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
@@ -174,12 +138,6 @@ def go_first(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_led = clause.near in ((), ("and",), ("then",), ("and", "then")) and clause.sentence == order.sentence
     if roles[k - 1] == "condition" and order.task.type in ("motion", "following") and is_look and is_led:
         roles[k - 1] = "task"
-
-
-def find_first(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """What is fetched of what was checked to be there hangs on that ("see if there's any milk and *bring me some*")."""
-    if (roles[k - 1], roles[k]) == ("task", "task") and needs_found(clauses[k], clauses[k - 1]):
-        roles[k - 1] = "condition"
 
 
 def may_choose(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:

@@ -8,7 +8,6 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import FINDING, FINDING_OUT, LEADING, PRESENT, Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
-    is_content_of,
     is_elsewhere_than,
     is_named_apart,
     is_of_another,
@@ -201,22 +200,6 @@ def _is_lacking(clause: Clause, order: Clause) -> bool:
     return clause.is_check and ((is_none and is_of_some) or is_out)
 
 
-def find_instead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """In what state is what was taken in a case is no mention of the look for another one ("if you find a towel, bring
-    it; if not, take one from the dryer, and *if it's still damp*, ...")."""
-    first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), None)
-    if first is None or (roles[k - 1], roles[k]) != ("task", "mention") or first == k - 1:
-        return
-    clause, order, search = clauses[k], clauses[k - 1], clauses[first]
-    is_of_state = clause.is_check and bool(clause.said_state) and clause.wording.state not in PRESENT
-    is_of_state = (
-        is_of_state and clause.near[:2] == ("and", "if") and clause.is_of_it and not clause.wording.is_contrary
-    )
-    is_taken = order.task.type in ("taking", "bringing") and bool(order.places) and clause.sentence == order.sentence
-    if is_of_state and is_taken and search.task.type == "searching" and order.places.isdisjoint(search.places):
-        roles[k] = "condition"
-
-
 def ask_of_person(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What somebody does not do, right behind an order about it, is no mention of what something else does not do ("if
     the alarm doesn't ring, wake Tom, and call me *if he doesn't get up*")."""
@@ -229,18 +212,6 @@ def ask_of_person(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_named = any(clauses[j].may_be_of_person and clauses[j].objects for j in range(first + 1, k))
     if is_behind and is_of_thing and is_named and check.number:
         roles[k] = "condition"
-
-
-def hold(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """That something is in what was asked to be empty is its other side ("if the basket is empty, ...; if *it still
-    contains clothes*, ...")."""
-    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or (roles[first], roles[k]) != ("condition", "condition") or first == k - 1:
-        return
-    is_opened = "if" in clauses[k].near and clauses[k].boundary != "none"
-    is_changed = any(not clauses[j].effects.isdisjoint(("empty", "full")) for j in range(first + 1, k))
-    if is_opened and not is_changed and is_content_of(clauses[k], clauses[first]):
-        roles[k] = "mention"
 
 
 def look_after(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -394,11 +365,3 @@ def is_told_of_both(clauses: Sequence[Clause], k: int) -> bool:
     are_checked = are_checked and second.near[:2] == ("whether", "and") and second.boundary == "none"
     is_told = report.task.type == "informing" and report.near == ("and",) and report.boundary == ","
     return are_checked and is_told and report.sentence == first.sentence
-
-
-def wish(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """What somebody wants is no mention of a condition, where nothing before was a wish ("if he's out, ... Offer him a
-    tea; *if he doesn't want one*, ...")."""
-    is_first = not any(before.is_wish or not WISHING.isdisjoint(before.question) for before in clauses[:k])
-    if roles[k] == "mention" and clauses[k].is_check and clauses[k].verb in WISHING and is_first:
-        roles[k] = "condition"

@@ -12,7 +12,6 @@ from decomplex_bt.understanding.control_flow.contrasts import is_asked_again_aft
 from decomplex_bt.understanding.control_flow.failures import (
     fails_behind,
     finds_out,
-    is_absence_ahead,
     is_absence_of,
     is_failure_of,
     is_kept_out,
@@ -41,15 +40,6 @@ _RINGING = frozenset("ring knock call buzz".split())
 _TURNS = frozenset("if unless else fail so not then".split())
 _SEEMING = frozenset("look smell taste feel seem".split())
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
-
-
-def ask_twice(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """A question with its opposite is one condition ("is it in the shed *or isn't it*?")."""
-    clause, before = clauses[k], clauses[k - 1]
-    is_echo = clause.says_only_whether and clause.near[:1] == ("or",) and {"or", "not"}.issuperset(clause.near)
-    is_turned = clause.wording.is_negated != before.wording.is_negated and clause.sentence == before.sentence
-    if is_echo and is_turned and before.is_question and roles[k - 1] in CONDITION_ROLES:
-        roles[k] = "mention"
 
 
 def ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -145,13 +135,6 @@ def try_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     if tries_out(clauses[k], clauses[first]):
         roles[first : k + 1] = "task", "condition"
-
-
-def be_away(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """Who is chosen to get something where another one is away is so before that is taken anywhere ("take it to Ann
-    *or, if she isn't in*, to Tom")."""
-    if tuple(roles[k - 1 : k + 2]) == ("condition", "mention", "task") and is_absence_ahead(clauses[k], clauses[k - 1]):
-        roles[k - 1 : k + 1] = "task", "condition"
 
 
 def search_asked(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -434,30 +417,6 @@ def lack_too(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_same = clauses[first].verb == clause.verb or (clause.verb == "do" and not clause.objects)
     if is_same and clauses[first].wording.is_negated:
         roles[k - 1 if roles[first] == "mention" else k] = "condition"
-
-
-def be_able(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """Behind "if you can ..., do this" an "if you can't" is of that, and not of what is done ("if you can find it,
-    bring it; if you can't, tell me", "can you lift it? If you can, *turn it*; if you can't, ...")."""
-    if clauses[k].ability != "denied" or roles[k - 1] != "condition" or clauses[k - 1].ability == "asked":
-        return
-    if clauses[k - 1].ability == "answered":
-        roles[k - 1] = "task"
-        return
-    first = next((j for j in range(k - 2, -1, -1) if roles[j] != "task"), None)
-    if first is not None and roles[first] == "condition" and clauses[first].ability == "asked":
-        roles[k - 1] = "task"
-
-
-def be_unable(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """Behind the one order of a case that asks neither what can be done nor what can be found an "if you can't" is of
-    that order ("unless it's raining, open the gate. *If you can't*, tell me")."""
-    if k < 2 or clauses[k].ability != "denied" or tuple(roles[k - 2 : k + 1]) != ("condition", "task", "task"):
-        return
-    check, order = clauses[k - 2 : k]
-    is_case = check.is_check and not check.ability
-    if is_case and order.task.type in _DOING | {"informing"} and not order.is_forbidden and not order.turns:
-        roles[k - 1] = "condition"
 
 
 def do_in_vain(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -77,20 +77,6 @@ def _is_emptied(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool
     return is_in_way and is_led and is_removed and "instead" not in (*other.near, *other.behind)
 
 
-def see_to_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is checked first, and put right where it is not so, is for the order ahead, which is carried out in any case
-    ("put the pie in the oven, but first see if it's hot, *and if it's not, turn it on*")."""
-    if k + 2 >= len(clauses) or tuple(roles[k - 1 : k + 3]) != ("task", "condition", "mention", "task"):
-        return
-    check, echo, order = clauses[k : k + 3]
-    is_first = check.is_asked and bool({"before", "first"} & set(check.wording.orders)) and "before" not in check.near
-    is_first = is_first and check.task.type == "check_state"
-    is_mended = order.task.type == "change_state" and order.is_of_it and not order.objects
-    is_case = "if" in echo.near and echo.sentence == order.sentence and not {*order.near} & TURNING
-    if is_first and is_mended and is_case and sides[k - 1][:2] == ">1" and sides[k] == "top" and not check.is_forbidden:
-        sides[k - 1] = "top"
-
-
 def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is fetched, brought or put somewhere is so though a sentence of its own tells a case of another thing, in
     which yet another thing is done, or nothing but said where something is ("take the coats up. If Nan is asleep,
@@ -152,19 +138,6 @@ def _is_of_own_thing(check: Clause, order: Clause, other: Clause) -> bool:
     is_one = other.number == check.number != "" and order.nouns.isdisjoint(check.objects)
     is_hot = check.says_still and check.wording.state == "hot"
     return is_asked and is_one and (is_hot or (bool(order.number) and order.number != other.number))
-
-
-def do_as_well(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done to another thing "too" or "as well" in a case keeps nobody from the order ahead of it ("take the
-    trash out. If the bin is full, *take that out too*")."""
-    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
-        return
-    order, check, other = clauses[k - 1 : k + 2]
-    is_too = "also" in (*check.far, *check.near, *other.near, *other.behind) and other.sentence == check.sentence
-    is_led = check.near[-1:] == ("if",) and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
-    is_other = bool(check.objects) and not check.names_same(order) and not other.names_same(order)
-    if is_too and is_led and is_other and not order.is_forbidden and "instead" not in other.behind:
-        sides[k - 1] = "top"
 
 
 def fetch_for_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -154,17 +154,6 @@ def guard_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k - 1], sides[k] = ">1+", sides[k - 1]
 
 
-def guard_choice(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """An order in a case hangs on what is asked right behind it where an "otherwise" says what is done if that is not
-    so ("if Lea is in, hang it up *if it's wet, otherwise* fold it")."""
-    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 1 : k + 2]) != ("task", "condition", "task"):
-        return
-    order, check, other = clauses[k - 1 : k + 2]
-    is_behind = check.boundary == "none" and check.near in (("if",), ("unless",)) and order.sentence == other.sentence
-    if is_behind and other.is_otherwise and other.boundary == "," and sides[k - 1] in (HOLDS, FAILS):
-        sides[k - 1], sides[k], sides[k + 1] = ">1+", sides[k - 1], FAILS
-
-
 def guard_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What an "or if" opens behind an order and its case is asked where that is not so, with its own order ("hang it up
     if it's wet, *or if it's torn, mend it*")."""
@@ -173,19 +162,6 @@ def guard_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
     if tuple(roles[k - 2 : k]) == ("task", "condition") and sides[k - 2][:2] == ">1" and roles[k] != "or":
         sides[k] = FAILS if roles[k] == "condition" else "<1"
         sides[k + 1] = HOLDS if roles[k + 1] == "task" else sides[k + 1]
-
-
-def guard_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Two orders in a row with one thing, in a case, both hang on the "unless ..., in which case ..." behind them ("if
-    it's there, carry it in and put it on the bench, *unless it's too heavy, in which case* tell me")."""
-    if k < 3 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
-        return
-    carried, order, check, other = clauses[k - 2 : k + 2]
-    is_restricted = check.near == ("unless",) and check.boundary == "," and other.near[:1] == ("so",)
-    is_one = carried.sentence == order.sentence == check.sentence == other.sentence and order.near == ("and",)
-    are_of_it = all(c.is_of_it and not c.objects for c in (carried, order, check))
-    if is_restricted and is_one and are_of_it and sides[k - 2] in (HOLDS, FAILS) and sides[k - 1][:2] == ">1":
-        sides[k - 2] = sides[k - 1]
 
 
 def guard_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Arc
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, Arc
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
-from decomplex_bt.understanding.control_flow.contrasts import is_elsewhere_than, is_other_case_than
+from decomplex_bt.understanding.control_flow.contrasts import is_elsewhere_than
 from decomplex_bt.understanding.control_flow.failures import finds_out, is_failure_of, may_fail_as
-from decomplex_bt.understanding.control_flow.outcomes import is_answer_behind, is_answer_to, needs_found
+from decomplex_bt.understanding.control_flow.outcomes import is_answer_behind, is_answer_to
 from decomplex_bt.understanding.control_flow.repetitions import may_repeat, repeats
-from decomplex_bt.understanding.control_flow.roles.orders import is_of_other_case
 from decomplex_bt.understanding.control_flow.roles.parts import (
     are_asked_of_both,
-    is_told_of_both,
     missed_anywhere,
     taken_up,
 )
@@ -47,14 +45,6 @@ def repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[k] = f"<{min(9, next(fitting, 1))}"
     rank = next((rank for rank, j in enumerate(orders, start=1) if repeats(clauses[k], clauses[j])), None)
     sides[k] = sides[k] if rank is None else f"<{min(9, rank)}"
-
-
-def repeat_in_other_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is ordered in one case and said behind a "before" in the other one is done in that, too ("if it's hot, serve
-    it; if it's cold, warm it *before you serve it*")."""
-    is_behind = clauses[k].boundary == "none" and (roles[k - 1], roles[k]) == ("task", "task")
-    if is_behind and sides[k - 1] == HOLDS and is_of_other_case(clauses, roles, k):
-        sides[k] = HOLDS
 
 
 def answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -151,12 +141,6 @@ def miss_anywhere(clauses: Sequence[Clause], roles: Sequence[str], sides: list[s
             sides[j] = FAILS
 
 
-def tell_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Of two things that are to be checked somebody is told whatever they are (`roles`)."""
-    if is_told_of_both(clauses, k) and tuple(roles[k - 2 : k + 1]) == ("task",) * 3:
-        sides[k - 1] = sides[k] = sides[k - 2]
-
-
 def _groups(roles: Sequence[str], sides: Sequence[str], k: int) -> dict[int, int]:
     """Of every condition and mention before `k` the condition that it is, or is a mention of."""
     builder = Builder([Arc(*labels) for labels in zip(roles[:k], sides[:k], strict=True)], ())
@@ -181,16 +165,6 @@ def pass_reply(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k] = "<2"
 
 
-def join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """A check that "and" or "or" joins to the one before it points there by a plain `<1+`, from which the construction
-    makes the side on which it is asked."""
-    is_joined = bool(clauses[k].wording.joins) or is_other_case_than(clauses[k], clauses[k - 1])
-    if roles[k] in JOINTS and is_joined and roles[k - 1] in CONDITION_ROLES:
-        sides[k] = HOLDS
-    elif roles[k] in JOINTS and clauses[k].is_added_to_otherwise:
-        sides[k] = FAILS
-
-
 def cover(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """All that was ordered before hangs on what "all this only if ..." asks, be it the first that is asked."""
     if clauses[k].covers and roles[k] == "condition" and set(roles[:k]) == {"task"}:
@@ -209,12 +183,6 @@ def depend(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     for j in range(first + 1, k):
         if sides[j] == "top" and clauses[j].has_pronoun and not clauses[j].objects and not clauses[j].wording.orders:
             sides[j] = HOLDS
-
-
-def find_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is fetched of what was checked to be there is fetched where it is."""
-    if (roles[k - 1], roles[k]) == ("condition", "task") and needs_found(clauses[k], clauses[k - 1]):
-        sides[k] = HOLDS if sides[k] == "top" else sides[k]
 
 
 def ask_openly(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -8,7 +8,6 @@ from itertools import takewhile
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import FINDING_OUT, Clause
 from decomplex_bt.understanding.control_flow.failures import is_case_against
-from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING, goes_on, hangs_ahead
 
@@ -226,38 +225,6 @@ def permit(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         if sides[j] != HOLDS or roles[j] != "task" or clauses[j].sentence != again.sentence or is_turned:
             return
         sides[j] = FAILS
-
-
-def set_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is ordered before "but don't ... if ..." of another thing hangs on nothing ("light the fire, but don't wake
-    Tom if he's asleep")."""
-    clause = clauses[k]
-    is_other = clause.is_forbidden and "but" in (*clause.far, *clause.near) and roles[k] == "task"
-    if not is_other or sides[k][:2] != ">1":
-        return
-    for j in range(k - 1, -1, -1):
-        if not hangs_ahead(clauses, roles, sides, j, clause.sentence) or clauses[j].is_forbidden:
-            return
-        sides[j] = "top"
-
-
-def stand_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What an "and" adds behind "..., unless ..." is not done where that alone keeps from the order before it: it goes
-    with that where it needs it ("go in, unless he's asleep, and make the bed", "iron it unless it's wet and hang it
-    up"), else it stands alone ("bring him tea, unless he's asleep, and shut the door")."""
-    if k < 2 or (roles[k - 2], roles[k - 1]) != ("task", "condition") or "unless" not in clauses[k - 1].near:
-        return
-    order, check = clauses[k - 2 : k]
-    if order.is_forbidden or sides[k - 2] != ">1+" or sides[k - 1] != "top" or order.sentence != check.sentence:
-        return
-    for j in range(k, len(clauses)):
-        clause = clauses[j]
-        words = {*clause.far, *clause.near, *clauses[j - 1].behind}
-        is_added = roles[j] == "task" and sides[j] == FAILS and clause.sentence == check.sentence and "and" in words
-        if not is_added or words & (TURNING - {"not"} | {"then"}):
-            return
-        is_of_it = order.task.type == "motion" or (clause.has_pronoun and not is_guard_of(check, order))
-        sides[j] = HOLDS if is_of_it and clause.task.type != "motion" else "top"
 
 
 def call_off(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -61,17 +61,6 @@ def rejoin(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         _take_out(clauses, roles, sides, k, sides[k - 3] if roles[k - 3] == "condition" else sides[k - 2])
 
 
-def add_also(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What "and then also" adds behind an order and its condition is done in that case, too ("call me if it's wet, and
-    *then also* close the hatch")."""
-    if k < 2 or (roles[k - 2], roles[k - 1], roles[k]) != ("task", "condition", "task") or sides[k] != "top":
-        return
-    clause, check = clauses[k], clauses[k - 1]
-    is_added = {"then", "also"} <= {*clause.near} and clause.boundary in (",", "none")
-    if is_added and sides[k - 2][:2] == ">1" and clauses[k - 2].sentence == check.sentence == clause.sentence:
-        sides[k] = f"<1{sides[k - 2][2:]}"
-
-
 def go_between(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a "then" leads on to behind an order to check, about another thing, is done whatever that finds where a
     later sentence goes by it ("see whether the gate is shut, *then feed the hens*. If it was open, ..."), and does not
@@ -90,36 +79,6 @@ def go_between(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     if is_next and is_other and goes_by and not is_missed and all(sides[j] == HOLDS for j in range(k, stop)):
         for j in range(k, stop):
             sides[j] = beside(sides[k - 1])
-
-
-def look_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is to be checked behind an order and its case is checked in any case ("close the window if it's open *and
-    see if the heating is on*")."""
-    if k < 2 or (roles[k - 2], roles[k - 1]) != ("task", "condition") or roles[k] not in ("task", "condition"):
-        return
-    clause, check = clauses[k], clauses[k - 1]
-    is_order = clause.task.type == "check_state" and clause.is_asked and not clause.is_question
-    is_behind = check.boundary == "none" and sides[k - 2][:2] == ">1" and clause.sentence == check.sentence
-    if is_order and is_behind and sides[k] == HOLDS and TURNING.isdisjoint(clause.near):
-        sides[k] = beside(sides[k - 1])
-
-
-def list_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is listed on behind an "instead" is done in any case ("fetch the pan, if it's dirty take the pot instead,
-    *lay the table, light the candles*")."""
-    clause = clauses[k]
-    is_behind = "instead" in clauses[k - 1].behind and clause.sentence == clauses[k - 1].sentence
-    is_listed = clause.boundary == "," and clause.near in ((), ("then",)) and roles[k - 1] == "task"
-    if not (is_behind and is_listed) or clause.has_pronoun or not clause.objects:
-        return
-    for j in range(k, len(clauses)):
-        if sides[j] not in (HOLDS, FAILS) or clauses[j].sentence != clause.sentence:
-            return
-        if j > k and not goes_on(clauses, roles, sides, j, clause.sentence) and roles[j] != "condition":
-            return
-        sides[j] = "top"
-        if roles[j] == "condition":
-            return
 
 
 def make_up(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -201,18 +160,6 @@ def resume(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[j] = beside(sides[k - 1])
 
 
-def end_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done last with a thing in the second of two cases belongs to that ("if it's off, turn it on; if it's on,
-    dust it *before taking it to Ann*")."""
-    clause, order = clauses[k], clauses[k - 1]
-    is_behind = (roles[k - 1], roles[k], sides[k]) == ("task", "task", "top") and sides[k - 1] in (HOLDS, FAILS)
-    is_last = "before" in clause.near and clause.boundary == "none" and clause.sentence == order.sentence
-    last = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), 0)
-    is_second = roles[last] == "mention" and roles[last - 1] == "task" and not clauses[last].is_trailing
-    if is_behind and is_last and is_second and clause.is_of_it and order.is_of_it:
-        sides[k] = sides[k - 1]
-
-
 def undo(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a "then" puts back, or does again, right behind the order of a case that undid it belongs to that case ("if
     the light is red, unplug the router, *then plug it back in*")."""
@@ -257,21 +204,6 @@ def keep_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         sides[k] = beside(sides[k - 1])
 
 
-def gather(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What a "then" does, behind both cases, with that into which something was put in either is done in any case ("if
-    there's milk, pour it into the jug, if not, put water in it, *and then bring the jug*")."""
-    clause, order = clauses[k], clauses[k - 1]
-    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or "then" not in clause.near or (roles[k], sides[k], sides[k - 1]) != ("task", FAILS, FAILS):
-        return
-    filled = [clauses[j].receivers - set(clauses[j].objects) for j in range(first + 1, k) if sides[j] == HOLDS]
-    is_filled = bool(clause.objects) and any(goals.issuperset(clause.objects) for goals in filled)
-    is_in_both = order.has_pronoun or not order.receivers.isdisjoint(clause.objects)
-    is_turned = {"else", "fail"} & {*order.far, *order.near}
-    if is_filled and is_in_both and is_turned and sides[first] == "top" and roles[first] == "condition":
-        sides[k] = "top"
-
-
 def have_found(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a sentence of its own does with what was looked for in one place and then in another, in a case that it
     tells, is done wherever it was found ("if it's not there, look in the car. *Bring it to me, unless it's wet*")."""
@@ -286,16 +218,6 @@ def have_found(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     is_of_it = order.is_of_it and not order.objects and order.task.type in (*CARRYING, "change_state")
     if is_sought and is_next and is_of_it and sides[k - 1][:2] == ">1":
         sides[k] = beside(sides[first])
-
-
-def have_at_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done "once you have it" is done wherever it was found ("if it's not there, look in the car, *and once you
-    have it*, hang it up")."""
-    clause = clauses[k]
-    if roles[k] != "task" or not clause.is_had or sides[k] not in (HOLDS, FAILS, "<2-", "<2+"):
-        return
-    if clauses[k - 1].task.type in ("searching", "bringing", "taking") and CONDITION_ROLES & {*roles[:k]}:
-        sides[k] = "top"
 
 
 def share(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -24,7 +24,6 @@ _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
 _BARE = frozenset(("be", "do", "have"))
 _LISTING = ((), ("and",), ("then",), ("and", "then"))
-_OF_QUESTIONS = frozenset(("whether", "not", "still", "there"))
 
 
 def oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -50,18 +49,6 @@ def oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
             if roles[j] != "task" or sides[j] != FAILS or clauses[j].sentence != clauses[k].sentence:
                 break
             sides[j] = HOLDS
-
-
-def agree(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done "if so" right behind an order to find something out is done where it is as asked ("check whether it
-    isn't on. *If that's the case*, ...")."""
-    leading = (*clauses[k].far, *clauses[k].near)
-    if (roles[k - 1], roles[k]) != ("condition", "task") or "so" not in leading or not clauses[k - 1].is_asked:
-        return
-    place = leading.index("so")
-    is_plain = _OF_QUESTIONS.issuperset(leading[:place]) and TURNING.isdisjoint(leading[place + 1 :])
-    if sides[k] == FAILS and is_plain and "unless" not in clauses[k - 1].near:
-        sides[k] = HOLDS
 
 
 def see_to(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -149,16 +136,6 @@ def affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     is_other = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind}
     if is_plain and is_trailing and is_leading and is_of_if and not is_other and sides[k - 1] in (HOLDS, FAILS):
         sides[k - 1] = FAILS if _is_denied(clauses, first, order) else HOLDS
-
-
-def correct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """A "no" before the first condition, which can answer nothing, turns none round ("bring me the red towel. *No*, the
-    blue one, if it's dry")."""
-    clause = clauses[k]
-    is_first = (roles[k - 1], roles[k]) == ("task", "condition") and CONDITION_ROLES.isdisjoint(roles[:k])
-    is_last = k + 1 == len(clauses) or clauses[k + 1].sentence != clause.sentence
-    if is_first and is_last and "else" in clause.far and clause.near == ("if",) and not clauses[k - 1].is_forbidden:
-        sides[k - 1] = ">1+" if sides[k - 1] == ">1-" else sides[k - 1]
 
 
 def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -360,21 +337,6 @@ def do_after_all(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     is_still = mention.near == ("but", "if") and mention.says_still and not mention.wording.is_negated
     for j in range(k, len(clauses)) if is_done and is_still and mention.sentence == first.sentence else ():
         if sides[j] != HOLDS or not (j == k or goes_on(clauses, roles, sides, j, mention.sentence)):
-            return
-        sides[j] = FAILS
-
-
-def turn_to_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done in the second of two opposite cases of what was to be checked, of the first of which nothing comes,
-    is done on the other side ("check the oven. If it's hot, leave it, *but if it's cold* clean it")."""
-    if k < 3 or tuple(roles[k - 3 : k + 1]) != ("condition", "mention", "mention", "task") or sides[k] != HOLDS:
-        return
-    order, first, second = clauses[k - 3 : k]
-    are_opposite = second.wording.is_opposite_of(first.wording) or first.wording.is_opposite_of(second.wording)
-    are_stated = not (first.wording.is_negated or second.wording.is_negated) and order.wording.state is None
-    are_stated = are_stated and not order.wording.is_of_anybody  # of whom "free" is the other side as it is
-    for j in range(k, len(clauses)) if are_opposite and are_stated else ():
-        if sides[j] != HOLDS or not (j == k or goes_on(clauses, roles, sides, j, second.sentence)):
             return
         sides[j] = FAILS
 

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
     asks_same_of_another,
-    is_apart_from,
     is_besides,
     is_elsewhere_than,
-    is_named_apart,
     is_of_other_matter,
     is_other_degree,
     is_other_end,
@@ -21,11 +18,10 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_rival_of,
 )
 from decomplex_bt.understanding.control_flow.outcomes import answers_ring, comes_through
-from decomplex_bt.understanding.control_flow.roles.replies import comes_to_be, ends_of_case, rings_before, waits_out
+from decomplex_bt.understanding.control_flow.roles.replies import ends_of_case, waits_out
 from decomplex_bt.understanding.control_flow.sides.labels import (
     FAILS,
     HOLDS,
-    OPENING,
     PARTING,
     TURNING,
     beside,
@@ -44,16 +40,6 @@ _RUNG = frozenset("doorbell bell phone door intercom buzzer".split())
 _MANY = 3
 """From so many cases on they are a list."""
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
-
-
-def stand_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Whether nobody is in a place is not asked of the order before, which has nothing to do with it ("water the
-    ferns. If nobody is in the study, ...")."""
-    is_next = clauses[k].boundary in PARTING or (clauses[k].boundary == "," and clauses[k].near[:2] == ("and", "if"))
-    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and is_next
-    is_instead = k + 1 < len(clauses) and "instead" in (*clauses[k + 1].near, *clauses[k + 1].behind)
-    if is_behind and sides[k - 1][:2] == ">1" and is_apart_from(clauses[k], clauses[k - 1]) and not is_instead:
-        sides[k - 1] = "top"
 
 
 def precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -139,17 +125,6 @@ def wait_till_over(clauses: Sequence[Clause], roles: Sequence[str], sides: list[
         sides[k - 1] = sides[k] = beside(sides[first])
 
 
-def ask_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Who does not know or cannot help has been asked ("ask Tom where it is, and *if he doesn't know*, ...")."""
-    clause, order = clauses[k], clauses[k - 1]
-    if k < 2 or (roles[k - 1], roles[k]) != ("task", "condition") or roles[k - 2] not in CONDITION_ROLES:
-        return
-    is_asked = order.task.type == "informing" and bool(order.receivers) and sides[k - 1][:2] == ">1"
-    is_unable = clause.verb == "be" and clause.wording.state is None and clause.wording.is_negated and not clause.places
-    if is_asked and clause.near[:2] == ("and", "if") and (clause.verb in _ANSWERING or is_unable):
-        sides[k - 1] = HOLDS
-
-
 def ask_anew(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A question of its own about another thing, behind what was done in a case, or behind another that nothing goes
     by, is asked in any case ("Window open? Close it. *Baby awake?* Feed her", "is the kettle on? *Are the cups clean?*
@@ -166,29 +141,6 @@ def ask_anew(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     is_of_other = bool(clause.thing) and not clause.has_pronoun and known.isdisjoint(clause.thing)
     if is_plain and is_of_other and clauses[first].is_question:
         sides[k] = "top"
-
-
-def come_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is to be done "first", "whatever you do" or "either way", hangs on none of the cases told just before
-    ("bring the tray if it's ready or if Gran is awake, but *whatever you do, fill her bottle first*")."""
-    clause = clauses[k]
-    if roles[k] != "task" or not clause.is_first_anyway or sides[k] == "top":
-        return
-    told = [j for j in range(k) if roles[j] in ("condition", "mention") and clauses[j].sentence == clause.sentence]
-    if told and all(sides[j] == "top" or roles[j] == "mention" for j in told):
-        sides[k] = "top"
-
-
-def go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is to be done before something is asked is done whatever the answer ("if the floor is still wet after you
-    have mopped it, ...")."""
-    clause, before = clauses[k], clauses[k - 1]
-    if not (clause.is_had_done and roles[k] == "task" and sides[k] in (HOLDS, FAILS) and clause.boundary == "none"):
-        return
-    if roles[k - 1] == "condition" and not OPENING.isdisjoint(before.near) and before.sentence == clause.sentence:
-        sides[k] = beside(sides[k - 1])
-    elif roles[k - 1] == "task" and before.is_had_done and clause.near == ("and",):
-        sides[k] = sides[k - 1]
 
 
 def turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -286,29 +238,6 @@ def ask_alike(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
         sides[k] = FAILS
 
 
-def list_cases(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Of three or more things that are each asked of in one sentence, with what is done then, none is asked of in the
-    case of another ("if the pump has stopped, start it, *if the net is torn*, tell Mia, and *if a frog is in there*,
-    ...")."""
-    first = k
-    while first and clauses[first - 1].sentence == clauses[k].sentence and roles[first] != "mention":
-        first -= 1
-    run = [j for j in range(first, k + 1) if roles[j] in CONDITION_ROLES and not clauses[j].is_asked]
-    are_apart = all(b - a > 1 and _is_case_of_other(clauses, a, b) for a, b in pairwise(run))
-    if roles[k] == "condition" and len(run) >= _MANY and are_apart:
-        for j in run[1:]:
-            sides[j] = beside(sides[run[0]]) if sides[j] == HOLDS else sides[j]
-
-
-def _is_case_of_other(clauses: Sequence[Clause], before: int, k: int) -> bool:
-    """Whether clause `k` asks, ahead of what is done then, of something that nothing from clause `before` on names."""
-    clause, first = clauses[k], clauses[before]
-    are_led = all(c.is_check and c.near[-1:] == ("if",) and c.boundary != "none" for c in (clause, first))
-    is_plain = clause.near in (("if",), ("and", "if")) and not (clause.far or clause.is_of_it)
-    named = {noun for c in clauses[before:k] for noun in c.nouns}
-    return are_led and is_plain and bool(clause.objects) and named.isdisjoint(clause.objects)
-
-
 def identify(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether it is somebody else than the one who is excepted is asked beside that ("open unless it's the salesman.
     *If it's the courier*, ...")."""
@@ -357,18 +286,6 @@ def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k] = beside(sides[first])
 
 
-def ask_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is asked of two things of one kind is asked of each in any case ("if the left window is open, shut it. *If
-    the right window is open*, ..."), unless the second was spoken of in the first case."""
-    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or roles[k] != "condition" or sides[k] not in (HOLDS, FAILS) or first == k - 1:
-        return
-    between = {word for j in range(first + 1, k) for word in clauses[j].thing}
-    is_led = clauses[k].boundary in PARTING and clauses[k].near == ("if",)
-    if is_led and is_named_apart(clauses[k], clauses[first]) and not clauses[k].thing <= between:
-        sides[k] = "top"
-
-
 def ask_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What else is the matter with a thing is asked in any case, where nothing but that was spoken of since ("if the
     stove is on, turn it off. *If it's smoking*, open the hatch")."""
@@ -392,13 +309,6 @@ def wait_in_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         sides[k] = f"<1{sides[k - 2][2:]}"
 
 
-def wait_in_other_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """The order right ahead of what is waited for in its case is carried out then ("if she hasn't eaten, *text me* when
-    she has")."""
-    if roles[k] == "condition" and comes_to_be(clauses, roles, k) and sides[k - 1] in (HOLDS, FAILS):
-        sides[k - 1], sides[k] = ">1+", sides[k - 1]
-
-
 def wait_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is waited for in a case is so after that in any, and what follows is done then ("if it isn't hot, wait. *As
     soon as it is*, bring it", "if it isn't hot, wait a minute. *Then bring it*")."""
@@ -414,13 +324,6 @@ def wait_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         if not (j == k or goes_on(clauses, roles, sides, j, clause.sentence)) or sides[j] not in (HOLDS, FAILS):
             return
         sides[j] = beside(sides[first])
-
-
-def ask_of_ring(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Whether it is who it might be is asked where somebody rings ("if the bell rings, ... It might be Tom. *If it is*,
-    let him in")."""
-    if roles[k] == "condition" and rings_before(clauses, roles, k) is not None:
-        sides[k] = HOLDS
 
 
 def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

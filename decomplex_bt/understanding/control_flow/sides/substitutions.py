@@ -38,9 +38,7 @@ _FAILING = frozenset("broken order service use locked shut closed empty stuck do
 """What nothing can be taken from, or done with."""
 _LOST = frozenset("missing gone lost cracked torn".split())
 _FILLED = frozenset("full packed crammed overflowing".split())
-_SLEEPING = frozenset("asleep sleeping napping dozing resting".split())
 _CHOOSING = (("or", "if"), ("or", "if", "not"))
-_REMOVING = frozenset("leave pour throw tip chuck bin".split())
 
 
 def override(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -160,30 +158,6 @@ def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
-def replace_there(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done *instead*, in a case that is asked of the place or the person of the order ahead, stands in place of
-    that order alone, and is asked where that would be done ("pick it up and put it in the box. If the box is full, put
-    it on the bench *instead*")."""
-    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
-        return
-    order, check, other = clauses[k - 1 : k + 2]
-    is_instead = "instead" in (*other.near, *other.behind) and other.sentence == check.sentence
-    is_led = check.boundary in PARTING and "if" in check.near and not {*other.far, *other.near} & TURNING
-    is_place = not (order.nouns - set(order.objects)).isdisjoint(check.objects)
-    is_receiver = check.is_of_person and any(kind in ("recipient", "goal") for kind, _ in order.task.arguments)
-    is_moved = order.task.type in MOVING and sides[k + 1] == HOLDS
-    is_moved = is_moved and (other.verb not in _LEAVING or bool(other.receivers))
-    if not (is_instead and is_led and is_moved and (is_place or is_receiver)) or order.is_forbidden:
-        return
-    if sides[k - 1] == ">1-" and order.has_pronoun and not order.objects and other.task.type in MOVING:
-        for j in range(k - 2, -1, -1):
-            if roles[j] != "task" or sides[j] != ">1-" or clauses[j].sentence != order.sentence:
-                return
-            sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"
-    elif sides[k - 1] in ("top", HOLDS, FAILS):
-        sides[k - 1], sides[k] = ">1-", sides[k - 1]
-
-
 def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is left somewhere, or kept, in a case is not moved in it ("bring the washing in. If it's damp, *leave it on
     the line*", "throw the rolls away. If they're fresh, *keep them*"); where only some of it is left, the rest is
@@ -233,21 +207,6 @@ def keep_state(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[changed], sides[k] = ">1-", sides[changed]
     elif is_behind and sides[changed] == ">1+":
         sides[changed] = ">1-"
-
-
-def leave_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Who is asleep is neither brought what is then left somewhere nor told what was to be told with it ("bring Ann the
-    letter and tell her to sign it. *If she's asleep, leave it on her desk*")."""
-    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
-        return
-    brought, told, check, other = clauses[k - 2 : k + 2]
-    is_told = told.task.type == "informing" and told.near == ("and",) and told.has_pronoun
-    is_brought = brought.task.type in MOVING and bool(brought.receivers) and bool(brought.objects)
-    is_asleep = check.is_of_person and check.wording.state in _SLEEPING and not check.wording.is_negated
-    is_left = other.task.type == "placing" and other.verb in _LEAVING and other.is_of_it and not other.objects
-    is_led = check.boundary in PARTING and check.near == ("if",) and other.sentence == check.sentence
-    if is_told and is_brought and is_asleep and is_left and is_led and sides[k - 2 : k + 1] == ["top"] * 3:
-        sides[k - 2 : k] = ">1-", ">1-"
 
 
 def go_ahead_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -387,19 +346,6 @@ def choose_by_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[
     is_open = sides[k + 1] == HOLDS and {sides[k - 1], sides[k]} <= {"top", HOLDS, FAILS}
     if is_or and is_one and is_alike and is_open:
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
-
-
-def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is checked first not to be so is for the order ahead, which is not done where it is so and the thing is put
-    elsewhere or left ("warm the milk, but first check that it isn't sour, and if it is, pour it away")."""
-    if k + 2 >= len(clauses) or tuple(roles[k - 1 : k + 3]) != ("task", "condition", "mention", "task"):
-        return
-    check, echo, order = clauses[k : k + 3]
-    is_first = check.is_asked and check.wording.is_negated and bool({"before", "first"} & set(check.wording.orders))
-    is_so = echo.wording.is_echo and not echo.wording.is_negated and "if" in echo.near
-    is_removed = (order.task.type == "placing" or order.verb in _REMOVING) and order.has_pronoun and not order.objects
-    if is_first and is_so and is_removed and sides[k - 1] == "top" and sides[k + 2] == HOLDS:
-        sides[k - 1] = ">1+"
 
 
 def replace_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
