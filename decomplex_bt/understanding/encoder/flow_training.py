@@ -24,7 +24,7 @@ from decomplex_bt.understanding.encoder.pieces import Pieced, Pieces
 from decomplex_bt.understanding.encoder.pretrained import begin
 from decomplex_bt.understanding.features import Observed
 
-PACE = Pace(epochs=6, noised=0.5, recombined=0.25, encoder_rate=1e-4, heads_rate=5e-4)
+PACE = Pace(epochs=4, noised=0.4, recombined=0.2, encoder_rate=1e-4, heads_rate=5e-4)
 
 Pair = tuple[Observed, Instruction]
 Learnable = tuple[Observed, tuple[MarkedTask, ...], tuple[Arc, ...]]

@@ -26,7 +26,7 @@ from decomplex_bt.understanding.encoder.pieces import Pieced, Pieces
 from decomplex_bt.understanding.encoder.pretrained import begin
 from decomplex_bt.understanding.features import Observed
 
-PACE = Pace(epochs=6, noised=0.6, recombined=0.2, encoder_rate=1e-4, heads_rate=1e-3)
+PACE = Pace(epochs=4, noised=0.4, recombined=0.2, encoder_rate=1e-4, heads_rate=1e-3)
 LABEL_WEIGHT = 0.5
 """How much the loss of argument labels and owners counts beside that of tasks."""
 
