@@ -821,3 +821,31 @@ def test_where_many_things_do_not_fit_they_are_not_put(thing: str, order: str, e
         f"{order} [{them}](3:object) [to the shed](3:goal)."
     )
     assert stated_sides(found, ("task", "condition", "task"), ("top", "top", "<1+")) == expected
+
+
+@pytest.mark.parametrize(
+    ("case", "expected"),
+    [
+        ("don't [ring](3:informing) [the bell](3:object)", ("top", "top", "<1-")),  # another deed is forbidden
+        ("don't", (">1-", "top")),
+        ("leave it", (">1-", "top")),
+    ],
+)
+def test_what_is_called_off_in_a_case_is_the_order_before_it(case: str, expected: tuple[str, ...]) -> None:
+    found = clauses(
+        f"[Mow](1:change_state) [the lawn](1:object). If [the cat](2:object) [is](2:check_state) [asleep](2:state), {case}."
+    )
+    roles = ("task", "condition", "task")[: len(expected)]
+    assert stated_sides(found, roles, ("top", "top", "<1-")[: len(expected)]) == expected
+
+
+@pytest.mark.parametrize(
+    ("first", "sides"),
+    [
+        ("[Open](1:change_state) [the gate](1:object)", ("<2", "<1")),
+        ("If [the gate](1:object) [is](1:check_state) [open](1:state)", (">1+", "<2")),  # a check stays in its case
+    ],
+)
+def test_an_order_whose_outcome_is_asked_stands_where_that_was_asked(first: str, sides: tuple[str, str]) -> None:
+    found = clauses(f"{first}. If [it](2:object) [opens](2:check_state), [call](3:informing) [me](3:recipient).")
+    assert stated_sides(found, ("condition", "mention", "task"), (">1+", "<2", "top"))[:2] == sides

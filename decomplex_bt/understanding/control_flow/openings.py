@@ -28,6 +28,7 @@ _LEAVING = tuple(
     )
 )  # fmt: skip
 """What says that something is not to be done, in the normal form of cues."""
+_FORBIDDING = (["do", "not"], ["dont"])
 _TURNING_TO = frozenset("now anyway finally lastly meanwhile besides".split())
 _COUNTING = frozenset("second secondly third thirdly fourth fourthly fifth fifthly".split())
 """What tells of the next of several matters, set off by a mark: "*third*, close the frame"."""
@@ -179,20 +180,23 @@ def of_both(document: Document, previous: int, token: int, last: int) -> str:
 def calls_off(document: Document, previous: int, token: int, following: int, leading: Sequence[str]) -> bool:
     """Whether the words behind a condition, up to the next task in its sentence, begin with a "leave it" or the like,
     or behind a "but" with a "let him" or a "wait"; or those between a "but" and the condition do ("but leave it *if
-    it's wet*"). `previous`: the task before."""
+    it's wet*"). A "don't" that forbids another deed leaves that alone ("go up. If she's asleep, *don't turn on* the
+    light"). `previous`, `following`: the tasks before and behind."""
     if _OPENERS.isdisjoint(leading):
         return False
     if _calls_off_ahead(document, previous, token):
         return True
     tokens, sentence = document.tokens, document.sentences[token]
     words = [normal_form(t.lower) for t in tokens[token + 1 : following] if document.sentences[t.i] == sentence]
+    is_joined = following < len(tokens) and document.sentences[following] == sentence
+    forbids_other = is_joined and tokens[following].lemma != tokens[previous].lemma
     for i in range(1, len(words)):
         is_else = i > 1 and words[i - 1] == "else" and words[i - 2] in PUNCTUATION | {"or"}
         if is_else or words[i - 1] in OTHERWISE or words[i - 2 : i] == ["if", "not"]:
             return False
         said = _leaves(words[i:])
         if said is not None:
-            return said
+            return said and not (forbids_other and words[i:] in _FORBIDDING)
         if "but" in leading and _is_letting(words[i : i + 3]) and words[i + 2] in _BEING_LET:
             return True
         if "but" in leading and words[i - 1] in PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):

@@ -30,7 +30,9 @@ from decomplex_bt.understanding.states import are_apart
 def take_place(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """An order that a mention behind it was found to be of stands where that was asked, no longer in its case."""
     order = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if roles[k] == "mention" and order is not None and roles[order] == "condition" and sides[order].startswith(">1"):
+    if roles[k] != "mention" or order is None or clauses[order].is_check:
+        return
+    if roles[order] == "condition" and sides[order].startswith(">1"):
         sides[order], sides[k] = sides[k], "<1"
 
 
