@@ -98,3 +98,13 @@ def test_three_annotations_are_of_the_same_instructions_and_of_no_voice(ontology
         for other in ("second", "third"):
             again = read_corpus(file.with_suffix(f".{other}.yaml"), ontology)
             assert {example.id: example.instruction.text for example in again} == first
+
+
+def test_the_outsiders_are_of_no_voice_and_annotated_twice(ontology, household_folder: Path) -> None:
+    corpus = household_folder / "corpus"
+    first = read_corpus(corpus / "outsiders", ontology)
+    second = read_corpus(corpus / "outsiders" / SECOND_ANNOTATION, ontology)
+    texts = {example.id: example.instruction.text for example in first}
+    assert texts == {example.id: example.instruction.text for example in second}
+    known = {example.instruction.text for example in read_corpus(corpus, ontology)}
+    assert texts and known.isdisjoint(texts.values())

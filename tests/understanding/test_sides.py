@@ -833,7 +833,8 @@ def test_where_many_things_do_not_fit_they_are_not_put(thing: str, order: str, e
 )
 def test_what_is_called_off_in_a_case_is_the_order_before_it(case: str, expected: tuple[str, ...]) -> None:
     found = clauses(
-        f"[Mow](1:change_state) [the lawn](1:object). If [the cat](2:object) [is](2:check_state) [asleep](2:state), {case}."
+        "[Mow](1:change_state) [the lawn](1:object). If [the cat](2:object) [is](2:check_state) [asleep](2:state), "
+        f"{case}."
     )
     roles = ("task", "condition", "task")[: len(expected)]
     assert stated_sides(found, roles, ("top", "top", "<1-")[: len(expected)]) == expected
