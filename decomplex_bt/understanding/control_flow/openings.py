@@ -189,7 +189,7 @@ def calls_off(document: Document, previous: int, token: int, following: int, lea
     tokens, sentence = document.tokens, document.sentences[token]
     words = [normal_form(t.lower) for t in tokens[token + 1 : following] if document.sentences[t.i] == sentence]
     is_joined = following < len(tokens) and document.sentences[following] == sentence
-    forbids_other = is_joined and tokens[following].lemma != tokens[previous].lemma
+    forbids_other = is_joined and previous >= 0 and tokens[following].lemma != tokens[previous].lemma
     for i in range(1, len(words)):
         is_else = i > 1 and words[i - 1] == "else" and words[i - 2] in PUNCTUATION | {"or"}
         if is_else or words[i - 1] in OTHERWISE or words[i - 2 : i] == ["if", "not"]:
