@@ -7,7 +7,7 @@ nothing spreads from the end of one row to the beginning of the next.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,8 @@ from decomplex_bt.envs.geometry import Floats
 
 Bools = NDArray[np.bool_]
 Point = tuple[float, float]
+Steps = tuple[int, list[tuple[int, int]], list[tuple[int, int, int]]]
+"""The free cells, and for each step along the rows and across them the cells from which it goes over free ones."""
 
 
 class Ways:
@@ -31,14 +33,41 @@ class Ways:
         self._passable = self._bits(passable)
         self._marks = [self._bits(mark) for mark in marks]
         self._shadows: dict[Point, int] = {}
+        self._rims: dict[Point, int] = {}
+        self._reached: dict[tuple[Point, ...], int] = {}
 
     def are_free(self, people: Iterable[Point]) -> bool:
         """Whether the free cells that hang together with the first doorway touch every doorway and every place."""
-        return self._spread(people, self._marks) is None
+        left = self._unavoidable(people)
+        is_known = len(left) == 1 and left[0] in self._shadows
+        return is_known or self._spread(left, self._marks) is None
 
     def keep(self, x: float, y: float) -> None:
-        """Keeps where a person here stands in the way, for they may stand here often."""
-        self._shadows[x, y] = self._shadow_at(x, y)
+        """Keeps where a person here stands in the way, for they may stand here often; alone they must leave the ways
+        free."""
+        self._shadows[x, y] = shadow = self._shadow_at(x, y)
+        rim = self._rim(shadow)
+        is_whole = _spread_in(self._steps(rim), rim & -rim) == rim
+        if is_whole and all(mark & rim for mark in self._marks if mark & shadow):
+            self._rims[x, y] = rim
+
+    def _unavoidable(self, people: Iterable[Point]) -> list[Point]:
+        """Of people, those who may stand in the way; of any, one at least. Nobody does the rim of whose shadow is free
+        of others and hangs together: what leads through the shadow leads round it, and what is marked in it is so on
+        its rim."""
+        left = list(people)
+        for person in tuple(left):
+            rim = self._rims.get(person)
+            others = [other for other in left if other != person]
+            if others and rim is not None and not any(rim & self._shadows.get(other, rim) for other in others):
+                left = others
+        return left
+
+    def _rim(self, shadow: int) -> int:
+        """The passable cells around a shadow, at its corners as well."""
+        row = self._shape[1] + 1
+        wide = shadow | shadow << 1 | shadow >> 1
+        return (wide | wide << row | wide >> row) & self._passable & ~shadow
 
     def cells_of(self, points: Floats) -> NDArray[np.int64]:
         """The cells that points lie in."""
@@ -49,9 +78,22 @@ class Ways:
 
     def reached(self, people: Iterable[Point]) -> Bools:
         """Which cells hang together with the first doorway, past the people."""
-        reached = self._spread(people, ())
-        assert reached is not None
+        company = list(people)
+        reached = self._reached_past(self._unavoidable(company))
+        for person in company:
+            reached &= ~self._shadow_of(person)
         return self._cells_in(reached)
+
+    def _reached_past(self, people: list[Point]) -> int:
+        """The same as bits, remembered where nobody is, or one who may stand there often."""
+        key = tuple(people)
+        reached = self._reached.get(key)
+        if reached is None:
+            reached = self._spread(people, ())
+            if len(people) < 2 and self._shadows.keys() >= set(people):
+                self._reached[key] = reached
+        assert reached is not None
+        return reached
 
     def _cells_in(self, reached: int) -> Bools:
         rows, columns = self._shape
@@ -60,17 +102,19 @@ class Ways:
         bits = np.unpackbits(packed, count=count, bitorder="little").reshape(rows, columns + 1)
         return bits[:, :columns].ravel().view(np.bool_)
 
-    def _spread(self, people: Iterable[Point], marks: Iterable[int]) -> int | None:
+    def _spread(self, people: Iterable[Point], marks: Sequence[int]) -> int | None:
         """The free cells that hang together with the first doorway, past the people; None once they touch all `marks`.
 
-        Without marks all of them are found. Cells spread along their rows and columns to the next one that is not
-        free, in steps twice as long each time, or at once where an addition's carry goes the same way; that is repeated
-        until nothing is added.
+        Without marks all of them are found.
         """
         free = self._passable
         for person in people:
-            shadow = self._shadows.get(person)
-            free &= ~(self._shadow_at(*person) if shadow is None else shadow)
+            free &= ~self._shadow_of(person)
+        return _spread_in(self._steps(free), self._marks[0] & free, marks)
+
+    def _steps(self, free: int) -> Steps:
+        """How cells spread along their rows and columns to the next one that is not free, in steps twice as long each
+        time, or at once where an addition's carry goes the same way."""
         rows, columns = self._shape
         along: list[tuple[int, int]] = []
         ahead = back = free
@@ -86,20 +130,11 @@ class Ways:
             across.append((step, ahead, back))
             ahead, back = ahead & ahead << step, back & back >> step
             step *= 2
-        left = list(marks)
-        has_marks = bool(left)
-        reached, before = self._marks[0] & free, -1
-        while reached != before:
-            left = [mark for mark in left if not mark & reached]
-            if has_marks and not left:
-                return None
-            before = reached
-            reached |= free & ~(free + reached)  # the carry of a cell ends behind the last free one of its row
-            for step, back in along:
-                reached |= back & reached >> step
-            for step, ahead, back in across:
-                reached |= ahead & reached << step | back & reached >> step
-        return reached
+        return free, along, across
+
+    def _shadow_of(self, person: Point) -> int:
+        shadow = self._shadows.get(person)
+        return self._shadow_at(*person) if shadow is None else shadow
 
     def _shadow_at(self, x: float, y: float) -> int:
         """The cells that a person here stands in the way of."""
@@ -110,3 +145,20 @@ class Ways:
         padded = np.zeros((rows, columns + 1), dtype=np.bool_)
         padded[:, :columns] = cells.reshape(rows, columns)
         return int.from_bytes(np.packbits(padded.ravel(), bitorder="little").tobytes(), "little")
+
+
+def _spread_in(steps: Steps, reached: int, marks: Sequence[int] = ()) -> int | None:
+    """The free cells that hang together with those reached; None once they touch all marks, if there are any."""
+    free, along, across = steps
+    left, before = list(marks), -1
+    while reached != before:
+        left = [mark for mark in left if not mark & reached]
+        if marks and not left:
+            return None
+        before = reached
+        reached |= free & ~(free + reached)  # the carry of a cell ends behind the last free one of its row
+        for step, back in along:
+            reached |= back & reached >> step
+        for step, ahead, back in across:
+            reached |= ahead & reached << step | back & reached >> step
+    return reached
