@@ -87,12 +87,12 @@ class Ways:
     def _reached_past(self, people: list[Point]) -> int:
         """The same as bits, remembered where nobody is, or one who may stand there often."""
         key = tuple(people)
-        reached = self._reached.get(key)
-        if reached is None:
-            reached = self._spread(people, ())
-            if len(people) < 2 and self._shadows.keys() >= set(people):
-                self._reached[key] = reached
+        if key in self._reached:
+            return self._reached[key]
+        reached = self._spread(people, ())
         assert reached is not None
+        if len(people) < 2 and self._shadows.keys() >= set(people):
+            self._reached[key] = reached
         return reached
 
     def _cells_in(self, reached: int) -> Bools:

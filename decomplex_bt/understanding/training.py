@@ -48,18 +48,18 @@ EDITS = (without_punctuation, without_apostrophes)
 DISTURBED = ("typing slips", "speech recogniser")
 """The disturbances in copies that the encoder alone is trained on."""
 
-FOLDS = 3
-"""Into how many parts the voices are split to read every instruction by models that never saw its voice."""
+KEPT = 3
+"""One voice in so many is read by models that never saw it, to learn the choice among readings."""
 
 
 @dataclass(frozen=True, slots=True)
 class TrainingReport:
     """What was trained: the voices and examples used, the flows that no labels can say, where the models are.
 
-    `held_out`: of the voices read by models that never saw them (all of them; with the encoder those of "development"),
-    how many instructions came out with exactly the right tasks and control flow, and of how many. Only the few weights
-    of the choice among readings were fitted on them. Fewer than three voices are not held out as a whole, but every
-    other instruction.
+    `held_out`: of the voices read by models that never saw them (a third of them; with the encoder those of
+    "development"), how many instructions came out with exactly the right tasks and control flow, and of how many. Only
+    the few weights of the choice among readings were fitted on them. Of fewer than three voices every other
+    instruction is held out.
     """
 
     voices: tuple[str, ...]
@@ -85,7 +85,7 @@ def train(
     `force`, but for the domain's own when they are made anew from its own corpus. `encoder`: trains the pretrained
     encoder instead, on the voices of "train", with those of "development" for the choice among readings, into the
     folder `encoder` of `output`; an hour and ten minutes on two cores. `jobs`: parts that need nothing of each other
-    run in as many processes (two networks, three folds of voices), -1 for one a core. The test voices are never read.
+    run in as many processes (two at most), -1 for one a core. The test voices are never read.
     No model is written unless all were trained. The same corpus and libraries give the same files, with any number of
     jobs. Raises `DataFileError`, `TrainerMissingError` where the extra `train` is not installed, and, before anything
     is trained, `InputError` where the models would replace others or cannot be written.
@@ -159,12 +159,21 @@ def train_models(
 ) -> tuple[int, Mapping[str, tuple[int, int]]]:
     """Trains every model but the encoder on these examples into `folder`; gives the number of flows that no labels can
     say, and what `TrainingReport` tells of the voices held out."""
+    from joblib import delayed
+
     data = _corpus(examples, domain, parser, progress)
-    left_out = _train_stages(folder, data, _recombinations(data.plain, domain, parser), progress)
+    is_kept = _is_kept(data.voices)
+    others, kept = data.only([not kept for kept in is_kept]), data.only(is_kept)
+    recombinations = _recombinations(data.plain, domain, parser)
+    parts = (
+        delayed(_train_stages)(folder, data, recombinations, progress),
+        delayed(_read_by_others)(others, kept, domain, progress),
+    )
+    left_out, held_out = results(iter(parts), jobs)
     progress("references")
     train_references(folder / REFERENCES_FILE, data.plain, domain.ontology)
     write_words(folder / WORDS_FILE, (observed.document for observed, _ in data.plain))
-    return left_out, _train_choice(folder, list(_held_out_readings(data, domain, jobs, progress)))
+    return left_out, _train_choice(folder, held_out)
 
 
 def train_with_encoder(
@@ -248,7 +257,7 @@ def _corpus(examples: Sequence[Example], domain: Domain, parser: Parser, progres
 
 @dataclass(frozen=True, slots=True)
 class Held:
-    """An annotated instruction with its readings by stages that never saw it (nor its voice, see `_folds`)."""
+    """An annotated instruction with its readings by stages that never saw it (nor its voice, see `_is_kept`)."""
 
     voice: str
     observed: Observed
@@ -334,24 +343,9 @@ def _train_stages(
     return train_flow(folder, [*data.for_flow(), *recombinations])
 
 
-def _held_out_readings(data: Corpus, domain: Domain, jobs: int, progress: Progress) -> Iterator[Held]:
-    """Every instruction with its readings by stages that never saw its voice."""
-    from joblib import delayed
-
-    held_out = _folds(data.voices)
-    count = max(held_out) + 1
-    folds = (
-        (data.only([f != fold for f in held_out]), data.only([f == fold for f in held_out])) for fold in range(count)
-    )
-    progress("readings")
-    found = results((delayed(_read_by_others)(*fold, domain) for fold in folds), jobs)
-    for k, readings in enumerate(found, start=1):
-        progress(f"readings {k}/{count}")
-        yield from readings
-
-
-def _read_by_others(others: Corpus, data: Corpus, domain: Domain) -> list[Held]:
+def _read_by_others(others: Corpus, data: Corpus, domain: Domain, progress: Progress) -> list[Held]:
     """The instructions of `data` with their readings by stages trained on `others`."""
+    progress("readings")
     with tempfile.TemporaryDirectory() as scratch:
         recombinations = _recombinations(others.plain, domain, Parser())  # a parser is not sent to another process
         _train_stages(Path(scratch), others, recombinations, lambda stage: None)
@@ -363,12 +357,12 @@ def _held(data: Corpus, stages: Stages, domain: Domain) -> Iterator[Held]:
         yield Held(voice, observed, instruction, readings_of(observed, stages, domain.ontology))
 
 
-def _folds(voices: Sequence[str]) -> list[int]:
-    """The fold of every example: whole voices; where there are too few voices, every other example."""
+def _is_kept(voices: Sequence[str]) -> list[bool]:
+    """Whether the voice of each example is kept back: every third, by name; every other example of too few voices."""
     names = sorted(set(voices))
-    if len(names) < FOLDS:
-        return [i % 2 for i in range(len(voices))]
-    return [names.index(voice) % FOLDS for voice in voices]
+    if len(names) < KEPT:
+        return [i % 2 == 0 for i in range(len(voices))]
+    return [names.index(voice) % KEPT == 0 for voice in voices]
 
 
 def observe(

@@ -29,7 +29,7 @@ def test_the_same_corpus_gives_the_same_bytes_and_never_reads_test_voices(small_
     reports = [train(small_corpus, tmp_path / name, jobs=jobs) for name, jobs in (("first", 1), ("second", 2))]
     assert reports[0].held_out == reports[1].held_out
     ((voice, (right, count)),) = reports[0].held_out.items()
-    assert (voice, count) == ("learn", 25)
+    assert (voice, count) == ("learn", 13), "every other one"
     assert 0 < right < count, "25 instructions teach something, and not all"
     files = sorted(file.name for file in (tmp_path / "first").iterdir())
     assert files == sorted(file.name for file in (tmp_path / "second").iterdir())
