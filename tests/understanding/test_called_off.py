@@ -23,6 +23,18 @@ def test_what_a_but_calls_off_ahead_of_the_case_is_not_done_in_it(interpreter: I
     assert flow(interpreter, text) == [{"if": 2, "else": [1]}]
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Empty the ashtrays if they are full and leave them alone otherwise.", [{"if": 2, "then": [1]}]),
+        ("Water the ferns if they're dry and leave them otherwise.", [{"if": 2, "then": [1]}]),
+        ("Wash the towels if they smell and leave them alone if they don't.", [{"if": [2, 3], "then": [1]}]),
+    ],
+)
+def test_what_is_let_be_otherwise_is_done_in_the_case(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
 def test_what_is_left_somewhere_is_put_there(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Wash the wok, but leave it on the stove if it's hot.")
     assert [task.type for task in found.tasks] == ["change_state", "placing", "check_state"]

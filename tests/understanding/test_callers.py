@@ -29,6 +29,10 @@ from decomplex_bt.understanding.interpreter import Interpreter
             "If somebody knocks, open the hatch. If it's the milkman, give him the crate.",
             [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
         ),
+        (
+            "If the gardener rings, let him in. If it's Friday, water the cactus.",
+            [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
+        ),
     ],
 )
 def test_who_it_is_is_asked_where_somebody_calls_or_somebody_else_does(

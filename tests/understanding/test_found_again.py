@@ -24,9 +24,8 @@ def test_what_turns_up_was_looked_for(interpreter: Interpreter, text: str) -> No
 
 def test_what_turns_up_in_one_of_two_places_is_asked_of_both(interpreter: Interpreter) -> None:
     text = "Look in the hall for my bag. If it isn't there, look in the car. When it turns up, bring it here."
-    first, second = flow(interpreter, text)
-    assert first["else"] == [3]
-    assert second == {"if": 4, "then": [5]}
+    (case,) = flow(interpreter, text)
+    assert case == {"if": [1, 2], "then": [5], "else": [{"if": [3, 4], "then": [{"same": [5]}]}]}
 
 
 def test_who_refuses_what_they_are_brought_is_asked_where_it_is(interpreter: Interpreter) -> None:

@@ -83,7 +83,8 @@ def test_what_was_found_out_is_told_in_either_case(interpreter: Interpreter, tex
     ],
 )
 def test_what_is_found_in_either_place_is_brought(interpreter: Interpreter, text: str) -> None:
-    assert flow(interpreter, text) == [{"if": [1, 2], "else": [3]}, {"if": 4, "then": [5]}]
+    (case,) = flow(interpreter, text)
+    assert case == {"if": [1, 2], "then": [5], "else": [{"if": [3, 4], "then": [{"same": [5]}]}]}
 
 
 def test_what_is_found_in_the_one_place_is_brought(interpreter: Interpreter) -> None:

@@ -477,6 +477,10 @@ def test_what_hangs_on_the_thing_itself_is_done_with_it_alone(interpreter: Inter
          [{"if": [1, 3], "then": [2], "else": [4, 5]}]),
         ("Serve the stew if it's warm, and if it's cold, heat it before you serve it.",
          [{"if": [2, 3], "then": [1], "else": [4, 5]}]),
+        ("If the tourist has a ticket, take him to the hall. If not, sell him one before you take him.",
+         [{"if": 1, "then": [2], "else": [3, 4]}]),
+        ("If the ewe is calm, milk her; if she kicks, tie her up before you milk her.",
+         [{"if": [1, 3], "then": [2], "else": [4, 5]}]),
         ("Put the forks away. If they're dirty, wash them before you put them away.",
          [{"if": 2, "then": [3]}, {"same": [1, 4]}]),
         ("If the pot is warm, serve it, but before you serve it, lay the table. If it isn't, heat it.",
@@ -509,3 +513,19 @@ def test_where_another_thing_is_put_in_its_case_is_no_other_place_of_the_first(
     interpreter: Interpreter, text: str, expected: Any
 ) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If the dog doesn't bark, let Ian sleep, and wake him if it does.",
+        "If the bell doesn't ring, fine, but open the hatch if it does.",
+    ],
+)
+def test_an_order_goes_by_the_case_right_behind_it(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": [1, 3], "then": [2]}]
+
+
+def test_what_is_not_done_so_is_the_other_side(interpreter: Interpreter) -> None:
+    (case,) = flow(interpreter, "Check whether Max has swept the yard. Should he not have done so, sweep it.")
+    assert case == {"if": [1, 2], "else": [3]}

@@ -161,8 +161,6 @@ class Clause:
     """Whether its object is what of those that were checked "is" so, or "not": "close *any that aren't*"."""
     tells_where: bool = False
     """Whether all that is said of its case is where something is: "if it's locked, *the key is in the drawer*"."""
-    compares: bool = False
-    """Whether it says that something is more or less than so much: "if there are *fewer than* four"."""
     is_and_then: bool = False
     """Whether an "and then" leads on to it."""
     removes: bool = False

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.control_flow.arcs import Wording
@@ -61,13 +60,12 @@ from decomplex_bt.understanding.references.phrases import nobody
 from decomplex_bt.understanding.rules.background.guesses import guesses
 from decomplex_bt.understanding.rules.cases.concessions import concessions
 from decomplex_bt.understanding.rules.orders.prohibitions import is_elided, is_forbidden
-from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
+from decomplex_bt.understanding.vocabulary import PERSON_NOUNS, WEEKDAYS
 
 _DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
 _CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))
 _AWAY = frozenset("away out off back".split())
 _HAVE = frozenset(("have", "'ve", "\u2019ve"))
-_MORE_OR_LESS = frozenset("more fewer less over under at".split())
 _ANY = frozenset(("any", "some", "one"))
 _OF_KIND = frozenset(("a", "an", "another"))
 _WHETHER = frozenset("if whether does do is are has have can could would will".split())
@@ -235,7 +233,6 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         and any(t.lower == "already" for t in document.tokens[first : own_last + 1]),
         picks=picks(document, token),
         tells_where=task.type == "check_state" and tells_where(document, token),
-        compares=_compares([t.lower for t in document.tokens[first : own_last + 1]]),
         is_and_then=any(
             document.tokens[cue.last].lower == "then" and document.tokens[cue.last - 1].lower == "and" for cue in ahead
         ),
@@ -284,11 +281,6 @@ def _is_had(words: Sequence[str]) -> bool:
     return False
 
 
-def _compares(words: Sequence[str]) -> bool:
-    """Whether words say more or less than what: "fewer than", "at least"."""
-    return any(one in _MORE_OR_LESS and other in ("than", "least", "most") for one, other in pairwise(words))
-
-
 def _identified(document: Document, task: MarkedTask) -> str:
     if task.type != "check_state":
         return ""
@@ -297,7 +289,7 @@ def _identified(document: Document, task: MarkedTask) -> str:
         return document.tokens[identity.name.stop - 1].lemma if identity.is_pronoun(document) else ""
     around = document.tokens[max(0, task.token - 1) : task.token + 2]
     is_name = len(around) == 3 and around[0].lower in ITS and around[1].lower in _IS and around[2].tag == "NNP"
-    return around[2].lemma if is_name else ""
+    return around[2].lemma if is_name and around[2].lower not in WEEKDAYS else ""
 
 
 def _says_only_whether(document: Document, task: MarkedTask, last: int) -> bool:

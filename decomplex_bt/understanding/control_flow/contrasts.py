@@ -69,7 +69,7 @@ def is_other_wish(clause: Clause, first: Clause) -> bool:
     are_stated = clause.is_check and first.is_check and not (clause.wording.is_negated or first.wording.is_negated)
     is_same = clause.is_of_somebody or clause.names_same(first) or not (clause.objects and clause.said_state)
     said, other = (frozenset(c.said_state or c.objects) for c in (clause, first))
-    is_other = bool(said - other and other - said)
+    is_other = bool(said - other and other - said) and "else" not in said
     return is_same_verb and are_stated and is_same and is_other and not (clause.says_answer or first.says_answer)
 
 
@@ -274,7 +274,8 @@ def is_other_weather(clause: Clause, first: Clause) -> bool:
 def is_of_other_matter(clause: Clause, first: Clause) -> bool:
     """Whether it has nothing to do with what the other asks: it asks about the weather, or if nobody is there, and
     that about a thing."""
-    is_other_weather = clause.is_of_weather and first.task.type == "check_state" and not first.is_of_weather
+    is_weather = clause.is_of_weather and clause.wording.state not in _LIT  # it is dark where the lamp is off, too
+    is_other_weather = is_weather and first.task.type == "check_state" and not first.is_of_weather
     return is_other_weather or is_of_nobody_at(clause, first)
 
 
@@ -311,13 +312,14 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
     ):
         return False
     is_of_others = bool(clause.number and first.number) and clause.number != first.number
-    return is_of_others or (first.asks_where and "location" not in own)
+    return state not in _USED and (is_of_others or (first.asks_where and "location" not in own))
 
 
 def _is_of_thing(clause: Clause, first: Clause) -> bool:
     """Whether it asks what an "it" does, where the other is about somebody: "if *Ann is in*, lock the gate, and if *it
     jams*, ..."."""
     is_of_deed = clause.is_check and clause.is_of_it and not clause.objects and not clause.said_state
+    is_of_deed = is_of_deed and not (clause.says_only_whether or clause.says_still)
     is_other = clause.verb != first.verb and clause.verb not in _BEING and not clause.is_of_weather
     is_of_somebody = first.is_of_person or first.may_be_of_person or not PERSON_NOUNS.isdisjoint(first.objects[-1:])
     return is_of_deed and is_other and first.is_check and is_of_somebody
@@ -345,6 +347,7 @@ _ENDS = frozenset("done finished ready over cooked baked clean dry".split())
 """States that something comes to in the end: what is still otherwise has not."""
 _USED = frozenset("free busy empty available occupied taken use unused vacant unoccupied deserted quiet loud".split())
 """States that tell whether somebody is there."""
+_LIT = frozenset(("dark", "light"))
 _MISSING = frozenset(("missing", "gone", "lost"))
 _THERE = frozenset(("there", "here"))
 _NO_THINGS = frozenset("none one some any drop".split())

@@ -195,8 +195,12 @@ def calls_off(document: Document, previous: int, token: int, following: int, lea
         if is_else or words[i - 1] in OTHERWISE or words[i - 2 : i] == ["if", "not"]:
             return False
         said = _leaves(words[i:])
-        if said is not None:
-            return said and not (forbids_other and words[i:] in _FORBIDDING)
+        if said is not None:  # "leave it *otherwise*", "leave it *if it's dry*" tell of another case than this
+            return (
+                said
+                and {"otherwise", "else", "if"}.isdisjoint(words[i:])
+                and not (forbids_other and words[i:] in _FORBIDDING)
+            )
         if "but" in leading and _is_letting(words[i : i + 3]) and words[i + 2] in _BEING_LET:
             return True
         if "but" in leading and words[i - 1] in PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):

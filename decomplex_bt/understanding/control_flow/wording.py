@@ -26,6 +26,7 @@ _ANYBODY = frozenset("anyone anybody someone somebody".split())
 _WHO = frozenset("it them him her me us".split())
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 _CLOSING = PUNCTUATION | {"but"}
+_SUCH = frozenset(("so", "that", "this", "it"))
 _COMING_UP = frozenset("light turn show come warm heat boil dry fill".split())
 _REFUSING = frozenset(("refuse", "fail"))
 _CONTRARY = frozenset("fail refuse decline stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
@@ -195,6 +196,8 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
         governs = any(tokens[child].dep == "pobj" for child in observed.document.children[j])
         if tokens[j].lower == "up" and tokens[task.token].lemma in _COMING_UP:
             continue  # "if nothing lights up"
+        if tokens[j].lower == "done" and j < last and tokens[j + 1].lower in _SUCH:
+            continue  # "if he hasn't *done so*"
         if tokens[j].lower in OPPOSITES and not governs and tokens[j].tag not in ("VB", "VBP", "VBZ", "VBD"):
             return tokens[j].lower
     return None

@@ -53,7 +53,7 @@ from decomplex_bt.understanding.references.wholes import (
     is_part,
     is_written,
 )
-from decomplex_bt.understanding.vocabulary import ONES, PLACE_ADVERBS
+from decomplex_bt.understanding.vocabulary import AIRED, ONES, PLACE_ADVERBS, WARMTH
 
 SOMEBODY = frozenset(("he", "him", "she", "her"))
 _SAYING = frozenset("say answer reply choose pick".split())
@@ -391,13 +391,21 @@ def is_weather(context: Context, gap: Gap) -> bool:
     )
     if gap.type != "object" or gap.task.type != "check_state" or tokens[verb - 1].lower != "it":
         return False
-    if not gap.word and not WEATHER.isdisjoint(own):
+    if not gap.word and (not WEATHER.isdisjoint(own) or (not WARMTH.isdisjoint(own) and _is_aired(context, gap))):
         return True
     is_mention = not own and first is not gap.task and all(a.type != "object" for a in first.arguments)
     at = context.observed.document.indices(first.span).start
     is_of_air = at > 0 and tokens[at - 1].lower == "it" and "location" in {a.type for a in first.arguments}
     is_of_air = is_of_air and first.type == "check_state" and bool(asked)
     return is_mention and gap.word in ("", "it") and (is_of_air or not WEATHER.isdisjoint(asked))
+
+
+def _is_aired(context: Context, gap: Gap) -> bool:
+    """Whether all that is handled is seen to for how warm it is around: "bring me *a jumper* if it's cold"."""
+    tokens = context.observed.document.tokens
+    others = [task.id for task in context.tasks if task.id != gap.task.id]
+    handled = {tokens[c.head].lemma for other in others for c in context.arguments(other, "object") if not c.mention}
+    return bool(handled) and handled <= AIRED
 
 
 def _is_one_of_a_choice(context: Context, candidate: Candidate) -> bool:

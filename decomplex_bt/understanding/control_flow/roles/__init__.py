@@ -43,7 +43,6 @@ _RULES = (
     replies.report,
     replies.lack_too,
     replies.suppose,
-    parts.count,
     parts.look_over,
     parts.name_other,
     parts.ask_of_person,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, flip_of, side_of
 from decomplex_bt.understanding.control_flow.clause import AROUND, Clause
 from decomplex_bt.understanding.control_flow.contrasts import asks_of, is_opposite_of
 from decomplex_bt.understanding.control_flow.failures import is_fallback_behind, is_fallback_for
@@ -73,17 +73,26 @@ def repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 def is_of_other_case(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
     """Whether clause `k` is behind a "before" in the other case of a condition in whose one case all is ordered that it
     may say again."""
-    other = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), 0)
-    first = next((j for j in range(other - 1, -1, -1) if roles[j] != "task"), None)
-    if first is None or (roles[first], roles[other]) != ("condition", "mention") or "before" not in clauses[k].near:
+    if "before" not in clauses[k].near:
         return False
-    if clauses[k].sentence != clauses[other].sentence:
+    alike = [j for j in range(k) if roles[j] == "task" and _says_again(clauses[k], clauses[j])]
+    alike = alike or [j for j in range(k) if roles[j] == "task" and may_repeat(clauses[k], clauses[j])]
+    turn = next((j for j in range(k - 1, 0, -1) if roles[j] != "task" or _turns(clauses[j])), 0)
+    first = next((j for j in range(turn - 1, -1, -1) if roles[j] != "task"), None)
+    if first is None or roles[first] != "condition" or clauses[k].sentence != clauses[turn].sentence or not alike:
         return False
-    wordings = [clause.wording for clause in clauses]
-    are_opposite = is_flipped(other, first, wordings) != wordings[first].is_negated
     start = first - (first > 0 and clauses[first].boundary == "none")  # "serve it if it's hot"
-    alike = [j for j in range(k) if roles[j] == "task" and may_repeat(clauses[k], clauses[j])]
-    return are_opposite and bool(alike) and start <= min(alike) and max(alike) < other
+    is_of_first = start <= min(alike) and max(alike) < turn
+    if roles[turn] == "task":
+        return is_of_first  # "if it's hot, serve it. *If not*, ..."
+    wordings = [clause.wording for clause in clauses]
+    is_denied = wordings[first].is_negated
+    is_opposite = flip_of(turn, first, wordings, {side_of(is_denied)}) != is_denied
+    return is_of_first and roles[turn] == "mention" and is_opposite
+
+
+def _turns(clause: Clause) -> bool:
+    return "else" in (*clause.far, *clause.near)
 
 
 def _says_again(clause: Clause, before: Clause) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Wording
-from decomplex_bt.understanding.control_flow.clause import FINDING, FINDING_OUT, LEADING, PRESENT, Clause
+from decomplex_bt.understanding.control_flow.clause import FINDING, LEADING, PRESENT, Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
     is_elsewhere_than,
@@ -103,19 +103,6 @@ def look_over(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_of_state = clause.is_check and clause.wording.state is not None and clause.wording.state not in PRESENT
     if is_bare and is_of_state and clause.is_of_it and not clause.objects:
         roles[first : k + 1] = "task", "condition"
-
-
-def count(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """That there are more or fewer than so many is no mention of a look for them ("check for eggs. If there are *fewer
-    than four*, ...")."""
-    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or (roles[first], roles[k]) != ("condition", "mention") or not clauses[k].compares:
-        return
-    if clauses[k].is_check and clauses[first].task.type in FINDING_OUT and not clauses[first].compares:
-        roles[k] = "condition"
-        is_order = clauses[first].is_asked or clauses[first].task.type == "searching"
-        if first == k - 1 and is_order and "mention" not in roles[k + 1 :]:
-            roles[first] = "task"
 
 
 _TAKEN = frozenset(("occupied", "taken", "engaged"))
@@ -262,10 +249,13 @@ def _are_of_one_state(one: Wording, other: Wording) -> bool:
 
 def name_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Whether there is something that was not spoken of is no mention of what state another thing is in ("check whether
-    the timer is on; if *there are five minutes* left, ...")."""
+    the timer is on; if *there are five minutes* left, ..."), but what is in a thing tells whether it is empty ("if the
+    bath is empty, ...; if *there's still water in it*, ...")."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if roles[k] != "mention" or first is None or not (clause.says_there_is and clauses[first].said_state):
+        return
+    if clauses[first].wording.state == "empty":
         return
     named = {noun for before in clauses[:k] for noun in (*before.nouns, *before.thing)}
     if clause.objects and named.isdisjoint(clause.objects) and _STANDING_FOR.isdisjoint(clause.objects):

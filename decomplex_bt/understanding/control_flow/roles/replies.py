@@ -50,7 +50,11 @@ def ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     if is_after and roles[k - 1 : k + 1] == ["condition", "mention"]:  # "change the bulb, and if it still doesn't work"
         roles[k - 1 : k + 1] = "task", "condition"
     first = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), None)
-    if roles[k] != "mention" or first is None or first == k - 1 or roles[first] != "condition":
+    if roles[k] != "mention" or first is None or first == k - 1:
+        return
+    if clauses[first].wording.is_echo and roles[first] == "mention":  # "is it red? *If it is*, restart it, and if ..."
+        first = next((j for j in range(first - 1, -1, -1) if roles[j] == "condition"), first)
+    if roles[first] != "condition":
         return
     is_done = any(clauses[j].task.type in _DOING for j in range(first + 1, k))
     is_going_on = clauses[k].verb in _GOING_ON or "again" in clauses[k].ways
@@ -80,7 +84,7 @@ def turn_up(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     search = next((j for j in range(k - 1, -1, -1) if clauses[j].task.type == "searching"), None)
     if sought_twice(clauses, roles, k) is not None:
-        roles[k - 1], roles[k] = "task", "condition"
+        roles[k - 1], roles[k] = "or", "mention"
         return
     if search is None or clauses[search].is_forbidden or roles[search] not in ("task", "condition"):
         return
@@ -283,10 +287,10 @@ def fetched_before(clauses: Sequence[Clause], k: int) -> int | None:
 
 
 def find_after_all(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """That something is found is asked of both places where it was looked for, not of the second alone ("look in the
-    hall. If it isn't there, look in the car. *If you find it*, ...")."""
-    if roles[k] == "mention" and sought_twice(clauses, roles, k) is not None and "mention" not in roles[k + 1 :]:
-        roles[k - 1 : k + 1] = "task", "condition"
+    """That something is found tells of both places where it was looked for, not of the second alone ("look in the hall.
+    If it isn't there, look in the car. *If you find it*, ...")."""
+    if roles[k] in CONDITION_ROLES and sought_twice(clauses, roles, k) is not None and "mention" not in roles[k + 1 :]:
+        roles[k - 1 : k + 1] = "or", "mention"
 
 
 def sought_twice(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:

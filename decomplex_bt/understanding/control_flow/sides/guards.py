@@ -54,7 +54,7 @@ def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     is_guard = is_guard_of(clause, order) or guards_own_order(clauses, roles, k)
     is_guard = is_guard and (roles[k - 1], roles[k]) == ("task", "condition")
     is_behind = clause.boundary == "none" or (clause.boundary == "," and is_guard and "unless" in clause.near)
-    if not is_behind or OPENING.isdisjoint(clause.near) or "mention" in roles[k + 1 :]:
+    if not is_behind or OPENING.isdisjoint(clause.near[:1]) or "mention" in roles[k + 1 :]:
         return
     if is_guard and sides[k - 1] in (HOLDS, FAILS):
         sides[k - 1], sides[k] = ">1+", sides[k - 1]
@@ -65,7 +65,7 @@ def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     is_second = is_second and clauses[k - 2].sentence == clause.sentence  # "wash it *if it's dirty*, dry it if ..."
     is_listed = bool(ahead) and (ahead[-1] == k - 2 or is_second) and order.boundary == ","
     later = list(takewhile(lambda j: goes_on(clauses, roles, sides, j, clause.sentence), range(k + 1, len(clauses))))
-    if not later or not (is_guard or (is_listed and clauses[k + 1].boundary == ",")):
+    if not later or not (is_guard or (is_listed and clauses[k + 1].boundary == ",")) or clauses[later[0]].is_otherwise:
         return
     if is_listed and not is_second:
         for j in ahead:

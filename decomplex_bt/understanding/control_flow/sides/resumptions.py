@@ -83,12 +83,13 @@ def go_between(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
 
 def make_up(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done ", then" behind the one thing that makes up for what is not so is done in any case ("if there isn't
-    a clean cup, wash one, *then fill it*")."""
+    a clean cup, wash one, *then fill it*"; not "if there's no tent, take a quilt, then spread that")."""
     clause, before = clauses[k], clauses[k - 1]
     if k < 2 or roles[k - 2] not in CONDITION_ROLES or (roles[k - 1], roles[k]) != ("task", "task"):
         return
     is_next = (clause.boundary, clause.near) == (",", ("then",)) and clause.sentence == before.sentence
-    is_of_lack = clauses[k - 2].wording.is_negated and clauses[k - 2].sentence == clause.sentence
+    lack = clauses[k - 2]
+    is_of_lack = lack.wording.is_negated and lack.sentence == clause.sentence and lack.wording.state in before.effects
     is_step = "first" in (*before.far, *before.near, *before.behind)
     if not (is_next and is_of_lack) or is_step or sides[k] != sides[k - 1] or sides[k] not in (HOLDS, FAILS):
         return

@@ -320,6 +320,9 @@ def follow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     between = {*clause.far, *clause.near, *before.behind}
     if roles[k - 1] not in CONDITION_ROLES or not (is_failure or is_denied) or between & TURNING:
         return
+    behind = clauses[k + 1] if k + 1 < len(clauses) else None
+    if behind is not None and behind.is_trailing and roles[k + 1] == "mention":
+        return  # "if it doesn't bark, fine, and wake him *if it does*"
     wrong, right = (HOLDS, FAILS) if is_failure else (FAILS, HOLDS)
     for j in range(k, len(clauses)):
         if sides[j] != wrong or clauses[j].sentence != before.sentence:

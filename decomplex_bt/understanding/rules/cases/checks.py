@@ -14,7 +14,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.identity import identity_of, order_behind
 from decomplex_bt.understanding.references.phrases import degree_asked, nobody
-from decomplex_bt.understanding.vocabulary import PREPOSITIONS
+from decomplex_bt.understanding.vocabulary import AIRED, PREPOSITIONS, WARMTH
 
 _BE = frozenset(("is", "'s", "\u2019s", "was"))
 _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
@@ -41,12 +41,6 @@ _BEFORE_WEATHER = frozenset(
 _WHETHER = frozenset(("whether", "if"))
 _TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
 _NO_GERUNDS = frozenset("bring sing ring fling swing string sting cling".split())
-_WARMTH = frozenset("hot cold warm freezing chilly cool stuffy nippy muggy humid".split())
-_AIRED = frozenset(
-    "window fan blind curtain shutter awning door heating heater fire fireplace aircon ac jumper jacket coat sweater "
-    "cardigan scarf hat glove blanket parasol skylight umbrella thermostat ventilator drape duvet hoodie".split()
-)
-"""What is seen to, put on or fetched for how warm it is around."""
 _OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
 _OF_THINGS = frozenset(("foggy", "pours"))
 _STATES = frozenset("on off in out up down over".split())
@@ -72,7 +66,7 @@ def without_air(document: Document, arguments: Sequence[FoundArgument], check: i
         return list(arguments)
     words = {document.tokens[i].lower for i in state.tokens}
     handled = {document.tokens[a.tokens[-1]].lemma for a in arguments if a.type == "object" and a.owner != check}
-    is_air = not words.isdisjoint(_WARMTH) and "location" not in own and bool(handled) and handled <= _AIRED
+    is_air = not words.isdisjoint(WARMTH) and "location" not in own and bool(handled) and handled <= AIRED
     return [a for a in arguments if a is not thing] if is_air else list(arguments)
 
 
