@@ -35,6 +35,7 @@ _WHERE = frozenset("from in on under at behind beside by off near inside above b
 _FROM = frozenset(("from", "off", "out"))
 _NOMINAL = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM"))
 _NOUNS = frozenset(("NOUN", "PROPN", "NUM", "PRON"))
+_LEADING = frozenset(("DET", "ADJ", "NUM", "PRON"))
 _DESCRIBING = frozenset(("det", "amod", "poss", "nummod"))
 _INDEFINITE = frozenset(("a", "an", "some"))
 _DETERMINING = _INDEFINITE | {"the"}
@@ -132,8 +133,11 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
 
 def _is_named(document: Document, token: int) -> bool:
     """Whether a word is the noun of a phrase, which, read as a task, stands for an unsaid verb: "otherwise *a fig*"."""
-    before = (document.tokens[child] for child in document.children[token] if child < token)
-    return document.tokens[token].pos in _NOUNS and any(word.dep in _DESCRIBING for word in before)
+    tokens = document.tokens
+    first = min((i for i in document.children[token] if i < token and tokens[i].dep in _DESCRIBING), default=token)
+    # not "failing *which*, light it", "in either *case* report to me"
+    is_phrase = all(word.pos in _LEADING and not word.tag.startswith("W") for word in tokens[first:token])
+    return tokens[token].pos in _NOUNS and first < token and is_phrase
 
 
 def _specified(observed: Observed, tasks: Mapping[int, Task]) -> Iterator[_Specified]:
