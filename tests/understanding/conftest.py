@@ -1,9 +1,9 @@
 """Fixtures shared by the tests of understanding: the interpreter of the household, with all its models.
 
-Sentences in `misread.txt` are read otherwise than they should be by the models as they are: expected to fail, and failing
-when they do not. After new models the list is made anew:
+The sentences in `misread.txt` are read otherwise than they should be by the models as they are. They are expected to
+fail, and fail when they do not. After new models the list is made anew:
 
-    python -m pytest tests/understanding --runxfail -q | sed -n 's/^FAILED \\(.*\\)/\\1/p' | sed 's/\\] - .*/]/; s/^\\([^[]*\\) - .*/\\1/'
+    python -m pytest -n0 tests/understanding --runxfail -vv --tb=no | sed -n 's/ FAILED .*//p' > misread.txt
 """
 
 from __future__ import annotations

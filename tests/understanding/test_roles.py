@@ -56,7 +56,7 @@ def test_a_check_of_another_matter_is_a_condition_of_its_own(markup: str) -> Non
         "If [the lamp](1:object) [is](1:check_state) [on](1:state), [shut](2:change_state) [the hatch](2:object). If "
         "[it](3:object)['s](3:check_state) [dark](3:state), [tell](4:informing) me.",
         # where guests are it is occupied
-        "If [there](1:object) [are](1:check_state) [guests](1:object) [in the den](1:location), [tell](2:informing) me. "
+        "If there [are](1:check_state) [guests](1:object) [in the den](1:location), [tell](2:informing) me. "
         "If [it](3:object)['s](3:check_state) [unoccupied](3:state), [wash](4:change_state) [it](4:object).",
         # what is in it tells whether it is empty
         "If [the bath](1:object) [is](1:check_state) [empty](1:state), [fill](2:change_state) [it](2:object). If there"
