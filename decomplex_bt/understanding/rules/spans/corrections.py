@@ -238,8 +238,10 @@ def with_either_place(
     kept = list(arguments)
     for joint, place in other_places(document, tasks):
         ends = (joint, joint - 1) if document.tokens[joint - 1].text == "," else (joint,)
-        first = next((a for a in kept if a.type in _PLACES and a.tokens.stop in ends), None)
+        places = [a for a in kept if a.type in _PLACES]
+        first = next((a for a in places if a.tokens.stop in ends or joint in a.tokens), None)
         if first is not None:
-            kept = [a for a in kept if set(a.tokens).isdisjoint(place)]
+            kept = [a for a in kept if set(a.tokens).isdisjoint(place) and a is not first]
+            kept.append(replace(first, tokens=range(first.tokens.start, min(first.tokens.stop, ends[-1]))))
             kept.append(FoundArgument(first.type, first.owner, place, CERTAIN))
     return kept
