@@ -169,8 +169,8 @@ class Interpreter:
         full = retold(observed, found)
         if full is None:
             return found
-        again = self._read(Observed(self._parser.parse(full.told.text, self._spelling), self._gazetteer))
         known = {task.span.start for task in found.tasks}
+        again = self._read(Observed(self._parser.parse(full.told.text, self._spelling), self._gazetteer))
         if len(again.tasks) < len(found.tasks) - full.merged + len(full.verbs.keys() - known):
             return found
         whole = restored(again, observed.document.text, full.told.places, full.told.turns, full.verbs)

@@ -15,6 +15,7 @@ AIRED = frozenset(
     "cardigan scarf hat glove blanket parasol skylight umbrella thermostat ventilator drape duvet hoodie".split()
 )
 """What is seen to, put on or fetched for how warm it is around."""
+TIMES_OF_DAY = frozenset("morning afternoon evening night noon midday midnight".split())
 WEEKDAYS = frozenset("monday tuesday wednesday thursday friday saturday sunday".split())
 POINTING = frozenset(
     "me us you i my mine we here something anything everything somebody someone anyone anybody everyone everybody "

@@ -166,3 +166,8 @@ def test_one_part_of_two_is_asked_anew(interpreter: Interpreter, text: str, expe
 def test_who_is_told_otherwise_is_not_turned_to_the_other_case(interpreter: Interpreter) -> None:
     text = "Unless I tell you otherwise, close the curtains when it gets dark and open them when it gets light."
     assert flow(interpreter, text) == [{"if": 1, "else": [{"if": 3, "then": [2]}, {"if": 5, "then": [4]}]}]
+
+
+def test_what_does_the_same_again_is_the_same_thing(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Don't open the oven until the timer rings. When it rings, take the cake out.")
+    assert [task.value("object") for task in found.tasks if task.type == "check_state"] == ["the timer", "the timer"]

@@ -315,3 +315,14 @@ def test_what_may_turn_up_is_put_elsewhere_besides(interpreter: Interpreter) -> 
 )
 def test_what_burns_is_put_out(interpreter: Interpreter, text: str, kind: str) -> None:
     assert next(t.type for t in interpreter.interpret(text).tasks if t.span.of(text) == "put") == kind
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If the pan is full, bring it to me. If there's no pan, bring me a bowl.",
+        "If the milk is warm, give it to the cat. If there's no milk, call Kim.",
+    ],
+)
+def test_that_there_is_none_is_asked_besides_its_state(interpreter: Interpreter, text: str) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == [{"if": 1, "then": [2]}, {"if": 3, "else": [4]}]

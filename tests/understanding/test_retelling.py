@@ -325,3 +325,20 @@ def test_what_goes_on_behind_a_second_place_is_done_after_either(interpreter: In
 )  # fmt: skip
 def test_a_place_ahead_of_the_order_of_its_case_is_no_order(interpreter: Interpreter, text: str, flow: object) -> None:
     assert interpreter.interpret(text).to_json()["flow"] == flow
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Lock the shed. Hang the coat in the hall if it's dry, or in the attic if it's wet.",
+        "Lock the shed. Give Ada tea if she's cold or juice if she's hot.",
+    ],
+)
+def test_either_is_told_in_full_wherever_it_stands(interpreter: Interpreter, text: str) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == [1, {"if": [3, 5], "then": [2], "else": [4]}]
+
+
+def test_what_an_and_adds_with_a_case_of_its_own_hangs_on_that_alone(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Water the roses if they're dry, and the tulips if they're wilting.")
+    assert found.to_json()["flow"] == [{"if": 2, "then": [1]}, {"if": 4, "then": [3]}]
+    assert [task.value("object") for task in found.tasks] == ["the roses", "the roses", "the tulips", "the tulips"]

@@ -49,3 +49,17 @@ def test_the_weather_is_nothings_without_its_apostrophe(interpreter: Interpreter
 def test_what_no_weather_is_told_of_keeps_its_own_thing(interpreter: Interpreter, text: str, thing: str | None) -> None:
     checks = [task for task in interpreter.interpret(text).tasks if task.type == "check_state"]
     assert checks[-1].value("object") == thing
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Bring me a jumper if it's chilly.",
+        "Shut the blinds if it's night.",
+        "Take the rug to the porch, then open the window if it's warm outside.",
+    ],
+)
+def test_the_air_and_the_time_of_day_are_nothing_that_is_handled(interpreter: Interpreter, text: str) -> None:
+    instruction = interpreter.interpret(text)
+    assert instruction.tasks[-1].value("object") == "it"
+    assert not instruction.missing

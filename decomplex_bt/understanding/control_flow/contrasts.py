@@ -110,7 +110,7 @@ def is_besides(clause: Clause, first: Clause) -> bool:
     return are_stated and is_other and is_free and not {state, other} & PRESENT
 
 
-def _is_lack_of(clause: Clause, first: Clause) -> bool:
+def is_lack_of(clause: Clause, first: Clause) -> bool:
     """Whether it says that there is none at all of what the other tests a state of: "if the milk is cold, heat it. *If
     there's no milk*, ..."."""
     is_none = clause.is_check and clause.says_there_is and clause.wording.is_negated and not clause.places
@@ -293,7 +293,7 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
         or is_other_wish(clause, first)
         or _is_state_beside(clause, first)
         or _is_of_deed(clause, first)
-        or _is_lack_of(clause, first)
+        or is_lack_of(clause, first)
         or is_other_degree(clause, first)
         or _is_after_fall(clause, first)
         or _is_of_thing(clause, first)

@@ -15,6 +15,8 @@ from decomplex_bt.understanding.references.roles import ELSEWHERE
 _THERE = "there"
 _SOMEBODY = frozenset("he him she her".split())
 _PRO_VERBS = frozenset("has have had does do did will would can could".split())
+_SAYING_LITTLE = frozenset("be have do get go come look seem feel say want need like can will 's see check".split())
+"""Verbs that different things may well do one after the other."""
 _PLACES = frozenset(("location", "source", "goal"))
 _ALREADY = frozenset(("already", "now"))
 _TOO = frozenset(("too", "also", "either"))
@@ -24,14 +26,27 @@ _NEAR = 3
 
 def asked_before(context: Context, gap: Gap) -> int:
     """The check, by its number, that an "if it is" or "if it has" takes up: "is *the stew* still warm? Bring me a plate
-    if *it* is"; 0 where there is none."""
+    if *it* is", or that asks for the same deed: "wait until *the timer* rings. When *it* rings, ..."; 0 where there is
+    none."""
+    if gap.type != "object" or gap.word not in ELSEWHERE or gap.task.type != "check_state":
+        return 0
+    if (same := _asking_alike(context, gap)) and _has_object(context, same, is_living=gap.word in _SOMEBODY):
+        return same
     first = context.first.get(gap.task.id, gap.task.id)
-    is_again = first < gap.task.id and context.types.get(first) == gap.task.type == "check_state"
-    if gap.type != "object" or gap.word not in ELSEWHERE or not is_again:
+    if first >= gap.task.id or context.types.get(first) != "check_state":
         return 0
     document, verb = context.observed.document, context.observed.document.indices(gap.task.span).start
     is_bare = is_bare_being(document, verb) or is_pro_verb(document, verb)
     return first if is_bare and _has_object(context, first, is_living=gap.word in _SOMEBODY) else 0
+
+
+def _asking_alike(context: Context, gap: Gap) -> int:
+    """The nearest check before that asks whether something does the same, by its number; 0 where there is none."""
+    verb = context.lemmas[gap.task.id]
+    if verb.split()[0] in _SAYING_LITTLE or any(a.type == "state" for a in gap.task.arguments):
+        return 0
+    checks = (t.id for t in context.tasks if t.id < gap.task.id and t.type == "check_state")
+    return max((number for number in checks if context.lemmas[number] == verb), default=0)
 
 
 def is_pro_verb(document: Document, verb: int) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.domain.clauses import WEATHER, is_air
 from decomplex_bt.understanding.cue_phrases import WISHING
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.references.absences import is_absent, is_blemish, is_of_other_case, is_used_up
@@ -53,7 +53,7 @@ from decomplex_bt.understanding.references.wholes import (
     is_part,
     is_written,
 )
-from decomplex_bt.understanding.vocabulary import AIRED, ONES, PLACE_ADVERBS, WARMTH
+from decomplex_bt.understanding.vocabulary import AIRED, ONES, PLACE_ADVERBS, TIMES_OF_DAY, WARMTH
 
 SOMEBODY = frozenset(("he", "him", "she", "her"))
 _SAYING = frozenset("say answer reply choose pick".split())
@@ -391,6 +391,9 @@ def is_weather(context: Context, gap: Gap) -> bool:
     )
     if gap.type != "object" or gap.task.type != "check_state" or tokens[verb - 1].lower != "it":
         return False
+    said = [w for kind in ("state", "location") for value in gap.task.values(kind) for w in value.lower().split()]
+    if not own.isdisjoint(TIMES_OF_DAY) or is_air(said):
+        return True
     if not gap.word and (not WEATHER.isdisjoint(own) or (not WARMTH.isdisjoint(own) and _is_aired(context, gap))):
         return True
     is_mention = not own and first is not gap.task and all(a.type != "object" for a in first.arguments)

@@ -135,6 +135,7 @@ _RULES = (
     scopes.ask_alike,
     scopes.identify,
     scopes.tell_who,
+    scopes.lack,
     scopes.turn_away,
     scopes.leave_rest,
     scopes.ask_besides,

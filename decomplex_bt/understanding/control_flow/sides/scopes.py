@@ -10,6 +10,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     asks_same_of_another,
     is_besides,
     is_elsewhere_than,
+    is_lack_of,
     is_of_other_matter,
     is_other_degree,
     is_other_end,
@@ -259,6 +260,17 @@ def tell_who(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     is_call = check.is_check and check.verb in _CALLING and not check.wording.is_negated and "unless" not in check.near
     if is_led and is_call and not clause.wording.is_negated and sides[k] in ("top", HOLDS, FAILS):
         sides[k] = HOLDS if _RUNG.issuperset(check.objects) else FAILS
+
+
+def lack(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """That there is none of what a case tests a state of is asked besides it, and the orders of that are of no other
+    ("if the milk is warm, give it to the cat. *If there's no milk*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[first], roles[k]) != ("condition", "condition") or first == k - 1:
+        return
+    if is_lack_of(clauses[k], clauses[first]) and clauses[k].boundary in PARTING:
+        sides[first + 1 : k] = [HOLDS if side[:2] == ">1" else side for side in sides[first + 1 : k]]
+        sides[k] = beside(sides[first]) if sides[k] == HOLDS else sides[k]
 
 
 def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

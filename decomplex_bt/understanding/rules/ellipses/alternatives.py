@@ -91,10 +91,14 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
         )
         if not body or body.start in known or not is_named:
             continue
-        if _is_ahead(document, parts, k, tasks) and (is_verbal or not _is_apart(document, parts, k, tasks)):
+        is_besides = not is_verbal and document.tokens[part.body.start].lower == "and"
+        is_ahead = _is_ahead(document, parts, k, tasks)
+        if is_ahead and not is_besides and (is_verbal or not _is_apart(document, parts, k, tasks)):
             condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
             yield Alternative(_last_order(document, parts, k, body, tasks), condition, is_verbal)
-        elif not is_verbal and (_is_added(document, parts, k, tasks) or _is_apart(document, parts, k, tasks)):
+        elif (is_ahead and is_besides) or (
+            not is_verbal and (_is_added(document, parts, k, tasks) or _is_apart(document, parts, k, tasks))
+        ):
             own = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
             yield Alternative(body, range(body.stop, body.stop), mark=part.opening, own=own)
         elif not is_verbal and _is_behind(document, parts, k, body, tasks):
@@ -120,7 +124,7 @@ def _is_ahead(document: Document, parts: Sequence[Part], k: int, tasks: Mapping[
     condition = parts[k + 1]
     is_done = condition.is_last or _goes_on(document, parts[k + 2 : k + 3])
     if part.lead == "or" and condition.lead == "if" and is_done and any(i in tasks for i in condition.body):
-        return _is_either(document, parts[:k], part, condition)
+        return _is_either(document, parts[:k], part, condition, tasks)
     if part.lead == "or" and k and parts[k - 1].lead == "if" and is_done and _is_contrary(document, condition):
         return True  # "a cup if one is clean or *a glass* if not"
     is_next = part.lead == "mark" and part.body.stop == condition.opening.start and is_done
@@ -342,14 +346,18 @@ def _is_contrary(document: Document, part: Part) -> bool:
     )
 
 
-def _is_either(document: Document, before: Sequence[Part], part: Part, condition: Part) -> bool:
+def _is_either(
+    document: Document, before: Sequence[Part], part: Part, condition: Part, tasks: Mapping[int, str]
+) -> bool:
     """Whether "A or B if C" means B where C holds and A where not, rather than A or B, as you like, where C holds."""
     tokens = document.tokens
     if not before:
         return False
     if before[-1].lead == "if":  # "tea if it's cold or *juice* if it's hot"
         is_order = document.tokens[part.body.start].pos == "VERB"
-        return len(before) == 2 and before[0].lead == "start" and not is_order
+        ordered = before[-2] if len(before) > 1 else before[-1]
+        is_ahead = ordered.lead in ("start", "mark") and not ordered.is_last
+        return is_ahead and not is_order and any(tasks.get(i, "check_state") != "check_state" for i in ordered.body)
     if tokens[part.opening.start - 1].text in MARKS or tokens[before[-1].body.start].lower == "either":
         return True
     asked = tokens[condition.body.start : condition.body.stop]
