@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import prod
 
 import numpy as np
 from numpy.random import Generator
@@ -131,8 +132,8 @@ class Settled:
 
     def likelihood(self, names: Sequence[str], aspect: str, *, is_true: bool) -> float:
         """The probability that an aspect of all of these that are settled in it came out so; 1 where none is."""
-        answers = {answer for name in names if (answer := self._answers.get((name, aspect))) is not None}
-        return float(np.prod([answer.share if is_true else 1 - answer.share for answer in answers]))
+        found = dict.fromkeys(self._answers.get((name, aspect)) for name in names)
+        return float(prod(answer.share if is_true else 1 - answer.share for answer in found if answer is not None))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -156,8 +157,8 @@ def _mix_states(draw: Draw, test: StateTest, balance: float, rng: Generator, set
         share = on if is_positive else 1 - on
     holds = bool(rng.random() < share)
     draw.start.states[rows, column] = int(holds == is_positive)
-    if column == POWER:
-        draw.start.broken[[row for row in rows if draw.start.states[row, POWER] == 1]] = False
+    if column == POWER and draw.start.states[rows[0], POWER] == 1:  # and so are all of them
+        draw.start.broken[rows] = False
 
 
 def _mix_works(draw: Draw, test: WorksTest, balance: float, rng: Generator, settled: Settled) -> None:
@@ -209,7 +210,7 @@ def _mix_people(draw: Draw, test: PersonTest, balance: float, rng: Generator, se
     if not rows:
         return
     inside = {row: float(prior.home[row - first] * prior.rooms[row - first, wanted].sum()) for row in rows}
-    holds = _holds(1 - float(np.prod([1 - p for p in inside.values()])), balance, rng)
+    holds = _holds(1 - prod(1 - p for p in inside.values()), balance, rng)
     present = [row for row in rows if draw.start.home[row] and _room(draw, row) in wanted]
     if holds and not present:
         row = rows[choose(np.full(len(rows), 1 / len(rows)), rng)]

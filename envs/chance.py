@@ -160,14 +160,13 @@ class Draw:
     def _things(self, rng: Stream) -> None:
         prior, discs, start, random = self.prior, self._discs, self.start, rng.random
         listed, draw_lying = self.spots.listed, self.spots.draw_lying
-        rows, last = prior.place_list, len(prior.place_list) - 1
+        rows = prior.place_list
         things = slice(self.geometry.thing_rows.start, self.geometry.thing_rows.stop)
-        draws = rng.array(len(prior.place_sums)).tolist()
+        first = prior.draw_places(rng.array(len(prior.place_sums)))
         places: list[int] = []
         at: list[float] = []
-        each = zip(self.geometry.thing_rows, prior.radius[things], prior.place_sums, draws, strict=True)
-        for thing, radius, sums, draw in each:
-            place = rows[bisect_right(sums, draw, 0, last)]
+        each = zip(self.geometry.thing_rows, prior.radius[things], prior.place_sums, first, strict=True)
+        for thing, radius, sums, place in each:
             spot = NOWHERE
             tries = 0
             while place != ABSENT:

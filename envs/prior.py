@@ -55,6 +55,13 @@ class Prior:
         self._of_thing = {row: self._places(row) for row in geometry.thing_rows}
         self.place_list = [*range(geometry.place_count), ABSENT]
         self.place_sums: list[list[float]] = [np.cumsum(weights).tolist() for _, weights in self._of_thing.values()]
+        self._place_table = np.array(self.place_sums).reshape(-1, len(self.place_list))
+        self._place_table[:, -1] = np.inf
+
+    def draw_places(self, draws: Floats) -> list[int]:
+        """Where each thing lies (rows, `ABSENT`), by as many numbers in [0, 1)."""
+        columns = (self._place_table <= draws[:, None]).argmin(axis=1).tolist()
+        return [self.place_list[column] for column in columns]
 
     def mass(self, thing: int, places: Sequence[int]) -> float:
         """The probability that a thing lies at one of these different places (rows)."""
