@@ -126,19 +126,19 @@ class TreeAgent:
 
         Raises `InputError` for what is no observation of the body's environment.
         """
-        session = self.session
+        begun = self._begun
         if self._has_finished or self._has_concluded:
             return self._body.finish()
-        self._tick(session, observation)
-        if self.tree.root.status is Status.RUNNING:
-            return self._body.rest() if session.action is None else session.action
+        self._tick(begun, observation)
+        if begun.tree.root.status is Status.RUNNING:
+            return self._body.rest() if begun.session.action is None else begun.session.action
         self._has_finished = True
         return self._body.finish()
 
-    def _tick(self, session: Session, observation: Any) -> None:
+    def _tick(self, begun: _Episode, observation: Any) -> None:
         """Ticks the tree once; where all that comes of it is an action of the leaf that runs, only that leaf."""
-        session.begin_tick(observation)
-        tree, leaf = self.tree, self._running
+        begun.session.begin_tick(observation)
+        tree, leaf = begun.tree, self._running
         is_alone = leaf is not None and not _is_watched(tree) and _is_led_to(leaf, tree)
         if leaf is not None and is_alone and leaf.work():
             tree.count += 1
@@ -155,7 +155,7 @@ class TreeAgent:
         for _ in range(LAST_TICKS):
             if self._has_finished or self.tree.root.status in (Status.SUCCESS, Status.FAILURE):
                 return
-            self._tick(self.session, ended)
+            self._tick(self._episode, ended)
 
     # -- how it stands ------------------------------------------------------------------------------------------------
 
@@ -330,7 +330,7 @@ def _is_led_to(leaf: PlannedTask, tree: BehaviourTree) -> bool:
     node: Any = leaf
     while node is not tree.root:
         above = node.parent
-        is_passing = isinstance(above, IfThenElse) or (type(above) is InOrder and above.memory)
+        is_passing = (type(above) is InOrder and above.memory) or isinstance(above, IfThenElse)
         if not is_passing or above.current_child is not node:
             return False
         node = above
