@@ -144,9 +144,10 @@ class Driver:
     def _is_obstructed(self, pose: Pose, obstacles: Sequence[Disc]) -> bool:
         """Whether something new stands in the way ahead."""
         if obstacles is not self._obstacles:
-            if obstacles != self._obstacles:
+            if obstacles == self._obstacles:
+                self._obstacles = obstacles  # to be told by itself that it is the same
+            else:
                 self._note(obstacles)
-            self._obstacles = obstacles  # to be told by itself that it is the same
         if not self._new:
             return False
         point = pose.point

@@ -265,12 +265,12 @@ def test_what_the_text_itself_gets_wrong_is_not_asked_for_again(monkeypatch, cap
 
 
 def test_long_texts_are_not_quoted_as_a_whole(capsys: pytest.CaptureFixture[str]) -> None:
-    said = "It was a long day yesterday. " * 60
+    said = "Good morning. " * 140
     assert main(["plan", said]) == 2
     (line,) = capsys.readouterr().err.splitlines()
     quoted, _, rest = line.partition(" holds no task")
     assert rest
-    assert quoted.startswith("decomplex-bt: 'It was a long day")
+    assert quoted.startswith("decomplex-bt: 'Good morning.")
     assert quoted.endswith("'")
     assert "..." in quoted
     assert said.strip() not in line

@@ -10,6 +10,7 @@ from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.chunks import head_of
 from decomplex_bt.understanding.references.gaps import gap_of
 from decomplex_bt.understanding.references.relatives import exclusions
 from decomplex_bt.understanding.rules.cases.questions import asks_openly
@@ -73,7 +74,7 @@ def _is_of_air(observed: Observed, check: Task, tasks: Sequence[Task]) -> bool:
     """Whether an "it" is how warm it is around, which is all that there is to do: "open the window if *it's warm*"."""
     document = observed.document
     spans = [a.span for task in tasks if task is not check for a in task.arguments if a.type == "object" and a.span]
-    handled = {document.tokens[document.indices(span)[-1]].lemma for span in spans}
+    handled = {document.tokens[head_of(document, document.indices(span))].lemma for span in spans}
     is_warmth = any(not WARMTH.isdisjoint(state.lower().split()) for state in check.values("state"))
     return is_warmth and check.value("object") == "it" and bool(handled) and handled <= AIRED
 

@@ -171,3 +171,18 @@ def test_who_is_told_otherwise_is_not_turned_to_the_other_case(interpreter: Inte
 def test_what_does_the_same_again_is_the_same_thing(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Don't open the oven until the timer rings. When it rings, take the cake out.")
     assert [task.value("object") for task in found.tasks if task.type == "check_state"] == ["the timer", "the timer"]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("If Tom calls, tell him I'm out. If Ann calls, lock the door. If he calls again, tell me.", "Tom"),
+        ("If the kids cry, sing. If Max cries, bring him a rug. If they cry again, call me.", "the kids"),
+    ],
+)
+def test_of_several_who_do_the_same_it_is_the_one_that_suits(
+    interpreter: Interpreter, text: str, expected: str
+) -> None:
+    check = interpreter.interpret(text).tasks[4]
+    assert check.type == "check_state"
+    assert check.value("object") in (expected, check.span.of(text), "they")

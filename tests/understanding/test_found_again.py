@@ -22,7 +22,7 @@ def test_what_turns_up_was_looked_for(interpreter: Interpreter, text: str) -> No
     assert case["else"] in ([4], [5])
 
 
-def test_what_turns_up_in_one_of_two_places_is_asked_of_both(interpreter: Interpreter) -> None:
+def test_what_turns_up_in_one_of_two_places_is_brought_from_either(interpreter: Interpreter) -> None:
     text = "Look in the hall for my bag. If it isn't there, look in the car. When it turns up, bring it here."
     (case,) = flow(interpreter, text)
     assert case == {"if": [1, 2], "then": [5], "else": [{"if": [3, 4], "then": [{"same": [5]}]}]}
@@ -69,3 +69,10 @@ def test_who_does_not_come_was_called_in_the_case(interpreter: Interpreter) -> N
 def test_what_somebody_says_is_asked_where_they_are(interpreter: Interpreter) -> None:
     text = "See if Gran is up. If she is, ask her if she wants her egg now or later, and if she says now, boil it."
     assert flow(interpreter, text) == [{"if": [1, 2], "then": [3, {"if": 4, "then": [5]}]}]
+
+
+def test_what_hangs_on_what_is_found_is_not_lost_in_the_other_place(interpreter: Interpreter) -> None:
+    searched = "Look in the hall for my bag. If it isn't there, look in the car."
+    found = flow(interpreter, f"{searched} When it turns up, bring it and if it is wet, dry it.")
+    assert str(found).count("7") == 1
+    assert found[-1]["if"] == 4, "asked once, of both places"

@@ -41,12 +41,15 @@ def asked_before(context: Context, gap: Gap) -> int:
 
 
 def _asking_alike(context: Context, gap: Gap) -> int:
-    """The nearest check before that asks whether something does the same, by its number; 0 where there is none."""
+    """The nearest check before that asks whether something does the same, by its number; 0 where there is none, or
+    where several ask it of different things."""
     verb = context.lemmas[gap.task.id]
     if verb.split()[0] in _SAYING_LITTLE or any(a.type == "state" for a in gap.task.arguments):
         return 0
-    checks = (t.id for t in context.tasks if t.id < gap.task.id and t.type == "check_state")
-    return max((number for number in checks if context.lemmas[number] == verb), default=0)
+    checks = [t.id for t in context.tasks if t.id < gap.task.id and t.type == "check_state"]
+    alike = [number for number in checks if context.lemmas[number] == verb]
+    things = {value.lower() for number in alike for value in context.by_number[number].values("object")}
+    return alike[-1] if alike and len(things - ELSEWHERE) <= 1 else 0
 
 
 def is_pro_verb(document: Document, verb: int) -> bool:

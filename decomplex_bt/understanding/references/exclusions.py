@@ -389,12 +389,17 @@ def is_weather(context: Context, gap: Gap) -> bool:
         {word for a in task.arguments if a.type == "state" for word in a.value.lower().split()}
         for task in (gap.task, first)
     )
-    if gap.type != "object" or gap.task.type != "check_state" or tokens[verb - 1].lower != "it":
+    if gap.type != "object" or gap.task.type != "check_state":
+        return False
+    before = [token.lower for token in tokens[max(0, verb - 2) : verb]]
+    if tokens[verb].lower in WEATHER and "it" in before:  # "if it's *pouring*"
+        return gap.word in ("", "it")
+    if before[-1:] != ["it"]:
         return False
     said = [w for kind in ("state", "location") for value in gap.task.values(kind) for w in value.lower().split()]
-    if not own.isdisjoint(TIMES_OF_DAY) or is_air(said):
-        return True
-    if not gap.word and (not WEATHER.isdisjoint(own) or (not WARMTH.isdisjoint(own) and _is_aired(context, gap))):
+    if not own.isdisjoint(TIMES_OF_DAY | WEATHER - {"dark"}) or is_air(said):
+        return gap.word in ("", "it")
+    if not gap.word and ("dark" in own or (not WARMTH.isdisjoint(own) and _is_aired(context, gap))):
         return True
     is_mention = not own and first is not gap.task and all(a.type != "object" for a in first.arguments)
     at = context.observed.document.indices(first.span).start

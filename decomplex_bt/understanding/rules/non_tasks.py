@@ -19,6 +19,7 @@ from decomplex_bt.understanding.rules.orders.prohibitions import is_elided, is_l
 from decomplex_bt.understanding.rules.orders.wishes import is_background, is_served, is_taken_up
 from decomplex_bt.understanding.rules.speech.asides import concession, is_explained, means, musing, reason, tag_question
 from decomplex_bt.understanding.tasks import FoundTask
+from decomplex_bt.understanding.vocabulary import TIMES_OF_DAY
 
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
 _MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
@@ -52,6 +53,12 @@ def is_no_task(
         or (following is not None and any(rule(document, task, following) for rule in _AHEAD))
         or (before is None and following is not None and _is_missed(observed, task))
     )
+
+
+def _is_greeting(document: Document, at: int) -> bool:
+    """Whether it is the time of day that somebody is wished: "good *morning*"."""
+    tokens = document.tokens
+    return at > 0 and tokens[at - 1].lower == "good" and tokens[at].lower in TIMES_OF_DAY | {"day"}
 
 
 def _is_musing(document: Document, at: int) -> bool:
@@ -239,6 +246,7 @@ def _is_case(observed: Observed, at: int) -> bool:
 
 _ALONE: tuple[Callable[[Document, int], bool], ...] = (
     _is_of_any,
+    _is_greeting,
     _is_musing,
     _is_event,
     _is_either_way,

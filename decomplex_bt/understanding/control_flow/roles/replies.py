@@ -44,8 +44,8 @@ _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
 
 def ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Whether something is still so, once something was done about it, is asked anew ("if it's red, restart it, and if
-    it's *still red*, call Tom"), be that the one part of two ("if it's hot and the door is shut, ... If it's *still
-    hot*, ...")."""
+    it's *still red*, call Tom"), also behind an "if it is" that takes up what was asked, be that the one part of two
+    ("if it's hot and the door is shut, ... If it's *still hot*, ...")."""
     is_after = clauses[k].says_still and clauses[k - 1].verb in _MENDING and clauses[k].is_check
     if is_after and roles[k - 1 : k + 1] == ["condition", "mention"]:  # "change the bulb, and if it still doesn't work"
         roles[k - 1 : k + 1] = "task", "condition"
@@ -84,7 +84,7 @@ def turn_up(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     search = next((j for j in range(k - 1, -1, -1) if clauses[j].task.type == "searching"), None)
     if sought_twice(clauses, roles, k) is not None:
-        roles[k - 1], roles[k] = "or", "mention"
+        roles[k - 1], roles[k] = _found_in(roles, k)
         return
     if search is None or clauses[search].is_forbidden or roles[search] not in ("task", "condition"):
         return
@@ -290,7 +290,13 @@ def find_after_all(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """That something is found tells of both places where it was looked for, not of the second alone ("look in the hall.
     If it isn't there, look in the car. *If you find it*, ...")."""
     if roles[k] in CONDITION_ROLES and sought_twice(clauses, roles, k) is not None and "mention" not in roles[k + 1 :]:
-        roles[k - 1 : k + 1] = "or", "mention"
+        roles[k - 1 : k + 1] = _found_in(roles, k)
+
+
+def _found_in(roles: Sequence[str], k: int) -> tuple[str, str]:
+    """The roles of the second of two searches and of clause `k`, that the thing is found: in either place, or, where a
+    case hangs on it that a branch of its own could not repeat, asked once for both."""
+    return ("task", "condition") if "condition" in roles[k + 1 :] else ("or", "mention")
 
 
 def sought_twice(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:

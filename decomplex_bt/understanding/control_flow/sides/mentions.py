@@ -112,8 +112,11 @@ def name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
 
 def find_after_all(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """That something is found in one of two places tells of either look for it, where the second is in the case that
-    the first was in vain (`roles`)."""
-    if roles[k - 1 : k + 1] == ("or", "mention") and sought_twice(clauses, roles, k) is not None:
+    the first was in vain, or is asked where the first is (`roles`)."""
+    first = sought_twice(clauses, roles, k)
+    if first is not None and roles[k] == "condition":
+        sides[k] = sides[first] if sides[first] in ("top", HOLDS, FAILS) else "top"
+    elif first is not None and tuple(roles[k - 1 : k + 1]) == ("or", "mention"):
         sides[k - 1], sides[k] = FAILS if roles[k - 2] == "mention" else sides[k - 1], "<1"
         sides[k + 1] = HOLDS if roles[k + 1] == "task" else sides[k + 1]
 

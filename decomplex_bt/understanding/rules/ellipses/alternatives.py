@@ -91,12 +91,13 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
         )
         if not body or body.start in known or not is_named:
             continue
-        is_besides = not is_verbal and document.tokens[part.body.start].lower == "and"
         is_ahead = _is_ahead(document, parts, k, tasks)
+        is_besides = is_ahead and not is_verbal and document.tokens[part.body.start].lower == "and"
+        is_besides = is_besides and not _is_contrary(document, parts[k + 1])  # not "..., and coffee if not"
         if is_ahead and not is_besides and (is_verbal or not _is_apart(document, parts, k, tasks)):
             condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
             yield Alternative(_last_order(document, parts, k, body, tasks), condition, is_verbal)
-        elif (is_ahead and is_besides) or (
+        elif is_besides or (
             not is_verbal and (_is_added(document, parts, k, tasks) or _is_apart(document, parts, k, tasks))
         ):
             own = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
@@ -355,7 +356,9 @@ def _is_either(
         return False
     if before[-1].lead == "if":  # "tea if it's cold or *juice* if it's hot"
         is_order = document.tokens[part.body.start].pos == "VERB"
-        ordered = before[-2] if len(before) > 1 else before[-1]
+        if len(before) < 2:
+            return False
+        ordered = before[-2]
         is_ahead = ordered.lead in ("start", "mark") and not ordered.is_last
         return is_ahead and not is_order and any(tasks.get(i, "check_state") != "check_state" for i in ordered.body)
     if tokens[part.opening.start - 1].text in MARKS or tokens[before[-1].body.start].lower == "either":

@@ -9,7 +9,7 @@ from dataclasses import replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import FINITE, MARKS, Document
 from decomplex_bt.understanding.references.chunks import noun_chunks
-from decomplex_bt.understanding.vocabulary import PERSON_NOUNS, WEEKDAYS
+from decomplex_bt.understanding.vocabulary import PERSON_NOUNS, TIMES_OF_DAY, WEEKDAYS
 
 _TELLING = frozenset("tell say text message inform remind ask".split())
 _JOINTS = frozenset(("and", "&"))
@@ -27,7 +27,7 @@ _NEEDING = frozenset("need want like fancy".split())
 """Verbs by which a clause is an order again: "... and I need a towel"."""
 _TIMES = frozenset(("before", "when", "while", "until", "till", "after", "once"))
 _SAID = frozenset("so this that".split())
-_WHEN = WEEKDAYS | frozenset("tonight tomorrow later today now soon morning afternoon evening night noon".split())
+_WHEN = WEEKDAYS | TIMES_OF_DAY | frozenset("tonight tomorrow later today now soon".split())
 _AROUND_TIMES = frozenset("this in the on at again please first early late next right".split())
 _ABLE = frozenset("could can would will might may should".split())
 _OTHERWISE_DONE = frozenset("him her them if unless when".split())
