@@ -17,7 +17,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
 
 MISREAD = frozenset((Path(__file__).parent / "misread.txt").read_text(encoding="utf-8").splitlines())
 
-MISSES = (AssertionError, ValueError, LookupError, StopIteration)
+MISSES = (AssertionError, ValueError, LookupError, StopIteration, TypeError)
 """What tests raise of a reading that is another one: with other tasks than those that they take apart."""
 
 
