@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
-from functools import lru_cache
 
-from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.nouns import be
 from decomplex_bt.planning.abilities import holds_things, is_fixed, runs_shut
 from decomplex_bt.planning.belief import Belief
@@ -258,7 +256,8 @@ class Standing:
         return self._atoms(self.task.type, roles)
 
     def _atoms(self, task_type: str, roles: Mapping[str, str]) -> tuple[Atom, ...]:
-        return _goal_atoms(self.domain, task_type, tuple(roles.items()))
+        filled = self.domain.goals.fill(task_type, roles, self.domain.has_type)
+        return tuple(Atom(predicate, tuple(objects)) for predicate, *objects in filled)
 
     def _is_possible(self, goal: tuple[Atom, ...]) -> bool:
         if self.belief.given_up(goal, since=self.since) is None:
@@ -328,10 +327,3 @@ class Standing:
         wanted = set(names)
         phrases = [referent.phrase for referent in self.task.objects if wanted & set(referent.candidates)]
         return " and ".join(phrases) or self._objects_phrase()
-
-
-@lru_cache(maxsize=1024)
-def _goal_atoms(domain: Domain, task_type: str, roles: tuple[tuple[str, str], ...]) -> tuple[Atom, ...]:
-    """The goal of a task with its roles; asked again at every decision."""
-    filled = domain.goals.fill(task_type, dict(roles), domain.has_type)
-    return tuple(Atom(predicate, tuple(objects)) for predicate, *objects in filled)

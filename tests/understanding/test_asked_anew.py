@@ -176,13 +176,13 @@ def test_what_does_the_same_again_is_the_same_thing(interpreter: Interpreter) ->
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("If Tom calls, tell him I'm out. If Ann calls, lock the door. If he calls again, tell me.", "Tom"),
-        ("If the kids cry, sing. If Max cries, bring him a rug. If they cry again, call me.", "the kids"),
+        ("If Tom calls, tell him I'm out. If Ann calls, lock the door. If he calls again, tell me.", ["Tom"]),
+        ("If the kids cry, sing. If Max cries, bring him a rug. If they cry again, call me.", ["the kids", "they"]),
     ],
 )
 def test_of_several_who_do_the_same_it_is_the_one_that_suits(
-    interpreter: Interpreter, text: str, expected: str
+    interpreter: Interpreter, text: str, expected: list[str]
 ) -> None:
     check = interpreter.interpret(text).tasks[4]
     assert check.type == "check_state"
-    assert check.value("object") in (expected, check.span.of(text), "they")
+    assert check.value("object") in expected

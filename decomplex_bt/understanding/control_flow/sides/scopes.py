@@ -38,9 +38,6 @@ _WANTING = frozenset("cold hungry thirsty tired sleepy bored lonely hot peckish 
 _CALLING = frozenset("call ring phone knock buzz come arrive text message visit".split())
 _RUNG = frozenset("doorbell bell phone door intercom buzzer".split())
 """What rings without telling who it is."""
-_MANY = 3
-"""From so many cases on they are a list."""
-_ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
 
 
 def precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -239,8 +239,8 @@ def with_either_place(
     for joint, place in other_places(document, tasks):
         ends = (joint, joint - 1) if document.tokens[joint - 1].text == "," else (joint,)
         places = [a for a in kept if a.type in _PLACES]
-        is_both = [a for a in places if a.tokens.start < ends[-1] and joint < a.tokens.stop]
-        first = next(iter([*is_both, *(a for a in places if a.tokens.stop in ends)]), None)
+        both = [a for a in places if a.tokens.start < ends[-1] and joint < a.tokens.stop]
+        first = next(iter([*both, *(a for a in places if a.tokens.stop in ends)]), None)
         if first is not None:
             kept = [a for a in kept if set(a.tokens).isdisjoint(place) and a is not first]
             kept.append(replace(first, tokens=range(first.tokens.start, min(first.tokens.stop, ends[-1]))))

@@ -8,9 +8,6 @@ from collections.abc import Iterator
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.rules.speech.edits import AFTER_NO, DENYING, NO_EDITS_BEFORE, TELLING, is_order_at
 
-_CASES = frozenset("if when unless once".split())
-_IS = frozenset("'s ’s is are s".split())
-_SUBJECTS = frozenset(("PRP", "WDT", "WP", "EX"))
 _TURNING = frozenset("wait sorry actually just please uh um er".split())
 """What may stand between a "no" and what is said in place of something."""
 _ASKING = frozenset("if unless when whether whenever once is are has have does do did 's".split())
