@@ -64,8 +64,15 @@ class Clearing:
         if is_apart is None:
             if len(self._apart) >= MOST_DISCS:
                 self._apart.clear()
-            self._apart[disc] = is_apart = are_apart(self.points, self._radius, (disc,))
+            self._apart[disc] = is_apart = is_apart_from(self.points, self._radius, disc)
         return is_apart
+
+
+def is_apart_from(points: Floats, radius: float, taken: Disc) -> Bools:
+    """At which of `(n, 2)` points a disc does not touch another."""
+    x, y, other = taken
+    across, along, gap = x - points[:, 0], y - points[:, 1], other + radius
+    return across * across + along * along >= gap * gap
 
 
 def are_apart(points: Floats, radius: float, taken: Sequence[Disc]) -> Bools:

@@ -60,7 +60,8 @@ class Samples:
     `limit`: from how far what lies at each place can be seen, the last one for what lies at none; `is_floor` likewise.
     `place_at`: of each row the place, that last one for rows that are none.
     `floor_starts`: where each floor begins among all points of floors.
-    `never_seen`: of points of floors or of rows the time at which it was seen, to be copied.
+    `never_seen`: of points of floors or of rows the time at which it was seen, to be copied. `all_short`: `(places,)`,
+    that none is in view with its whole contents; not to be changed.
     """
 
     def __init__(self, geometry: Geometry, reach: float, inside_reach: float) -> None:
@@ -84,6 +85,7 @@ class Samples:
         self.floor_count = sum(sizes)
         self.floor_numbers = np.arange(self.floor_count)
         self.never_seen = np.full(max(self.floor_count, len(geometry.names)), -np.inf)
+        self.all_short = np.ones(geometry.place_count, dtype=np.bool_)
         self.floors = [
             slice(start, start + size) for start, size in zip(self.floor_starts.tolist(), sizes, strict=True)
         ]
@@ -117,10 +119,11 @@ class Samples:
             thresholds[right : right + 2] -= np.where(room_of == room, 0.0, ANYWAY)
         is_in_sight = np.zeros(len(self.rooms), dtype=np.bool_)
         is_in_sight[list(rooms)] = True
+        leads_into = np.repeat(ways[1:], 2)[:, None] == np.arange(len(self.rooms))
         return Layout(
             rooms=rooms,
             is_in_sight=is_in_sight,
-            elsewhere=np.where(np.repeat(ways[1:], 2)[:, None] == np.arange(len(self.rooms)), 0.0, ANYWAY),
+            wedge_thresholds=SLACK - np.where(leads_into, 0.0, ANYWAY),
             points=np.hstack([block.points for block in blocks]),
             thresholds=thresholds,
             rows=rows,
@@ -149,8 +152,8 @@ class Samples:
 
 class Layout(NamedTuple):
     """The fixed places of some rooms, the robot's own first. `is_in_sight`: `(rooms,)` of the house, which are among
-    them. `elsewhere` `(2 * wedges, rooms)`: by how much less is asked of what is in a room by each edge of a wedge,
-    which is nothing less in the room that the wedge leads into. `points` `(3, n)` stand for the places `rows` `(n,)`:
+    them. `wedge_thresholds` `(2 * wedges, rooms)`: what the answer of what is in a room must not be below for each edge
+    of a wedge, far less where the wedge leads into another room. `points` `(3, n)` stand for the places `rows` `(n,)`:
     a place is seen where any of its points is in view, and looked over where all of them are from near enough.
     `thresholds`: of each question and each point what the answer must not be below. `is_holding`: `(places,)` which can
     be looked over, floors apart; they have the `holding_points`, which stand for `holding_rows`. `floor_points`: those
@@ -158,7 +161,7 @@ class Layout(NamedTuple):
 
     rooms: tuple[int, ...]
     is_in_sight: Bools
-    elsewhere: Floats
+    wedge_thresholds: Floats
     points: Floats
     thresholds: Floats
     rows: Rows
@@ -204,7 +207,7 @@ class Scene:
         self._thresholds = thresholds = np.empty((len(layout.thresholds), count))
         thresholds[:, :fixed] = layout.thresholds
         thresholds[:RANGE, fixed:] = SLACK  # nothing lies on or in what can be moved: its nearness is not asked for
-        np.subtract(SLACK, layout.elsewhere[:, room], out=thresholds[WEDGES:, fixed:])
+        thresholds[WEDGES:, fixed:] = layout.wedge_thresholds.take(room, axis=1)
         self._moving, self._ranges = self.points[: PLACE_Y + 1, fixed:], thresholds[RANGE, fixed:]
         self._reach, self._half_angle = samples.reach, half_angle
         self._is_one_way = len(ways) == len(layout.rooms)
@@ -260,7 +263,7 @@ class Scene:
         thresholds = np.empty((len(self._thresholds), len(spots)))
         thresholds[:RANGE] = SLACK
         thresholds[RANGE] = SLACK + ((spots * spots).sum(axis=1) - self._reach**2)
-        thresholds[WEDGES:] = SLACK - self.layout.elsewhere[:, room]
+        thresholds[WEDGES:] = self.layout.wedge_thresholds.take(room, axis=1)
         in_view = np.empty(len(spots), dtype=np.bool_)
         self._all(self._asked.dot(points) >= thresholds, in_view)
         return in_view & self.layout.is_in_sight[room]

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from decomplex_bt.envs.clearing import Bools, Clearing, Disc, Point, are_apart
+from decomplex_bt.envs.clearing import Bools, Clearing, Disc, Free, Point, are_apart
 from decomplex_bt.envs.geometry import WALL_RADIUS, Floats, Geometry, Rect
 from decomplex_bt.envs.stream import Source
 from decomplex_bt.envs.ways import Ways
@@ -79,8 +79,8 @@ class Spots:
                     break
             else:
                 return spot
-        left = self.lying(place, radius, taken).tolist()
-        return tuple(left[int(rng.random() * len(left))]) if left else None
+        left = Free(spots, are_apart(self.lying(place, radius), radius, tuple(taken)).nonzero()[0]) if spots else ()
+        return left[int(rng.random() * len(left))] if left else None
 
     def is_floor(self, place: int) -> bool:
         return place in self._floors
