@@ -119,6 +119,10 @@ def test_one_and_the_other_are_of_the_pair_named(interpreter: Interpreter, text:
         ("Follow the kids, and should one of them slip, call me.", "one of the kids"),
         ("Rinse the jars, and if one of them is cracked, tell me.", "one of the jars"),
         ("If the big bowls are dirty, see if one of the small ones is clean.", "one of the small bowls"),
+        ("Have a look at the tyres, and if one is low, tell me.", "one of the tyres"),
+        ("Wash my shirts. If one has a stain, tell me.", "one of my shirts"),
+        # there is one, or it is of no known several
+        ("Bring me a pen. If one is broken, tell me.", "a pen"),
         # as before
         ("Rinse the jars, and if any of them is cracked, tell me.", "the jars"),
         ("Rinse the jars, and if either of them is cracked, tell me.", "the jars"),

@@ -49,6 +49,8 @@ def wordings(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: 
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     if _is_one_of_several(observed.document, gap, candidate):  # "any pears? Bring me *one*" brings a pear
         worded = [(text, way) for text, way in worded if way in ("a", "one")] or worded
+    if _is_one_of_known(observed.document, gap, candidate):
+        worded = [(f"one of {text}", way) for text, way in worded if way == "same"] or worded
     if is_bare_one(observed.document, gap) and is_halved(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way == "one"] or worded
     if gap.form == "part" and _is_counted_out(observed.document, gap, candidate):
@@ -143,6 +145,15 @@ def _is_one_of_several(document: Document, gap: Gap, candidate: Candidate) -> bo
     is_open = first in QUANTIFIERS or candidate.tokens.start == candidate.head
     is_several = is_plural and (is_open or first in _CERTAIN | {"a"}) and not candidate.mention
     return first in _EACH or (is_several and gap.task.type != "check_state")
+
+
+def _is_one_of_known(document: Document, gap: Gap, candidate: Candidate) -> bool:
+    """Whether something is asked of one of several known things: "look at *the tyres*; if *one* is low, ..."."""
+    first = document.tokens[candidate.tokens.start]
+    is_known = first.lower in _CERTAIN or first.tag == "PRP$"
+    is_several = document.tokens[candidate.head].tag in ("NNS", "NNPS")
+    is_asked = gap.task.type == "check_state" and gap.is_certain and is_bare_one(document, gap)
+    return is_asked and is_known and is_several and not candidate.text.lower().startswith("one of ")
 
 
 def _is_counted(document: Document, gap: Gap, candidate: Candidate) -> bool:
