@@ -160,13 +160,11 @@ class Draw:
     def _things(self, rng: Stream) -> None:
         prior, discs, start, random = self.prior, self._discs, self.start, rng.random
         listed, draw_lying = self.spots.listed, self.spots.draw_lying
-        rows = prior.place_list
         things = slice(self.geometry.thing_rows.start, self.geometry.thing_rows.stop)
-        first = prior.draw_places(rng.array(len(prior.place_sums)))
+        first = prior.draw_places(rng.array(len(self.geometry.thing_rows)))
         places: list[int] = []
         at: list[float] = []
-        each = zip(self.geometry.thing_rows, prior.radius[things], prior.place_sums, first, strict=True)
-        for thing, radius, sums, place in each:
+        for thing, radius, place in zip(self.geometry.thing_rows, prior.radius[things], first, strict=True):
             spot = NOWHERE
             tries = 0
             while place != ABSENT:
@@ -191,7 +189,7 @@ class Draw:
                     there[thing] = (*found, radius)
                     break
                 tries += 1
-                place = rows[_pick_index(sums, rng)]
+                place = prior.draw_place(thing, rng.random())
             places.append(place)
             at += spot
         start.place[things], start.position[things] = places, np.array(at).reshape(-1, 2)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -21,9 +22,8 @@ class Prior:
     `chance`: `(rows, pairs)`, of a state pair's positive value, NaN where an entity has no such pair. `broken`:
     `(rows,)`. `holds`: `(places,)`, whether things lie on or in it. `home`, `rooms`: of people, `(people,)` and
     `(people, rooms)`, `homes` and `room_sums` (cumulated) the same as lists; `robot_rooms`: `(rooms,)`. `warm_things`:
-    rows of what may be hot or cold, `tempering`: of the places that make something so. `place_list`: where a thing may
-    lie, `place_sums`: of each thing the cumulated probabilities of these. `floors`: the floor's row of each room.
-    `nowhere`, `no_position`, `no_states`, `none_broken`: a start in which nothing is drawn yet, to be copied.
+    rows of what may be hot or cold, `tempering`: of the places that make something so. `floors`: the floor's row of
+    each room. `nowhere`, `no_position`, `no_states`, `none_broken`: a start in which nothing is drawn yet, to copy.
     """
 
     def __init__(self, geometry: Geometry) -> None:
@@ -53,15 +53,20 @@ class Prior:
         self.no_states, self.none_broken = np.full((count, len(STATE_PAIRS)), -1, dtype=np.int8), np.zeros(count, bool)
         self._named = geometry.house.places_by_name()
         self._of_thing = {row: self._places(row) for row in geometry.thing_rows}
-        self.place_list = [*range(geometry.place_count), ABSENT]
-        self.place_sums: list[list[float]] = [np.cumsum(weights).tolist() for _, weights in self._of_thing.values()]
-        self._place_table = np.array(self.place_sums).reshape(-1, len(self.place_list))
-        self._place_table[:, -1] = np.inf
+        self._places_listed = [*range(geometry.place_count), ABSENT]
+        sums = [np.cumsum(weights) for _, weights in self._of_thing.values()]
+        self._place_sums = np.array(sums).reshape(-1, len(self._places_listed))
+        self._place_sums[:, -1] = np.inf  # whatever rounding has made of the sum of all
 
     def draw_places(self, draws: Floats) -> list[int]:
         """Where each thing lies (rows, `ABSENT`), by as many numbers in [0, 1)."""
-        columns = (self._place_table <= draws[:, None]).argmin(axis=1).tolist()
-        return [self.place_list[column] for column in columns]
+        columns = (self._place_sums <= draws[:, None]).argmin(axis=1).tolist()
+        return [self._places_listed[column] for column in columns]
+
+    def draw_place(self, thing: int, draw: float) -> int:
+        """Where one thing lies (a row, or `ABSENT`), by a number in [0, 1)."""
+        sums = self._place_sums[thing - self.geometry.thing_rows.start]
+        return self._places_listed[bisect_right(sums, draw)]
 
     def mass(self, thing: int, places: Sequence[int]) -> float:
         """The probability that a thing lies at one of these different places (rows)."""
