@@ -106,10 +106,16 @@ class Completion:
             if state is not None and task.argument("state", "location") is None:
                 task = replace(task, arguments=(*task.arguments, state))
             said = mention.argument("object")
-            is_same = said is not None and task.values("object") == (said.value,)
-            if said is not None and is_same and picked_words(said, self._instruction.text, self._domain):
+            if said is not None and self._picks_of(said, task.values("object")):
                 task = replace(task, arguments=(*(a for a in task.arguments if a.type != "object"), said))
         return task
+
+    def _picks_of(self, said: Argument, values: Sequence[str]) -> bool:
+        """Whether a mention asks of one or some of what is checked: of the lamps, "if *one* (of them) is on"."""
+        if [value.lower() for value in values] == [said.value.lower().removeprefix("one of ")]:
+            is_one_of = said.value.lower() not in (value.lower() for value in values)
+            return is_one_of or bool(picked_words(said, self._instruction.text, self._domain))
+        return False
 
     def _mentioned_place(self, task: Task) -> Argument | None:
         """Where later mentions of a search say that it looks."""

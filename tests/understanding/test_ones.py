@@ -175,3 +175,17 @@ def test_one_behind_a_noun_with_its_article_stands_for_a_thing(interpreter: Inte
     found = interpreter.interpret("Bring me the big mug. If it's dirty, bring me the kitchen one.")
 
     assert found.tasks[2].value("object") == "the kitchen mug"
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If one of the windows is open, close it.", "one of the windows"),
+        ("Look at the lamps. If one is on, turn it off.", "one of the lamps"),
+        ("If one of my shirts is dirty, wash it.", "one of my shirts"),
+        # as before
+        ("If the windows are open, close them.", "the windows"),
+    ],
+)
+def test_what_is_done_to_one_of_several_is_done_to_that_one(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == value

@@ -189,7 +189,8 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 def is_no_single_thing(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "it" cannot mean a candidate because that is somebody ("warm the soup if *Max* is in. When *it*'s hot,
-    ...") or several things, where one thing is named ("shake *the crumbs* off the cloth and fold *it*"), or "them"
+    ...") or several things, where one thing is named ("shake *the crumbs* off the cloth and fold *it*") or one of them
+    is ("if one of *the lamps* is on, ... *it*"), or "them"
     because it is the one thing of a task that names several. A baby may be "it", but is given to nobody it is itself,
     and so may be whoever is at the door ("if *it*'s Max"); who is told something is none."""
     tokens, head = context.observed.document.tokens, context.observed.document.tokens[candidate.head]
@@ -212,6 +213,9 @@ def is_no_single_thing(context: Context, gap: Gap, candidate: Candidate) -> bool
     if kind_of(context, candidate) in ANIMATE:
         return _is_given_to(context, gap, candidate)
     is_several = _is_plural(context, candidate) and (not candidate.mention or GROUPS.get(candidate.mention) == "they")
+    before = [token.lower for token in tokens[max(0, candidate.tokens.start - 2) : candidate.tokens.start]]
+    if is_several and before == ["one", "of"]:
+        return True
     return is_several and any(
         c.tokens.stop <= gap.position
         and c.owner != gap.task.id
