@@ -205,9 +205,9 @@ def look_after(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What an order to check leaves open is asked right behind it ("check on the baby. *If she's crying*, ...")."""
     clause, check = clauses[k], clauses[k - 1]
     is_asked = clause.is_check and clause.has_pronoun and not clause.objects and bool(clause.said_state)
-    is_open = not check.is_question and check.leaves_open and roles[k - 1] == "condition"
+    is_open = not check.is_question and check.leaves_open and roles[k - 1] in ("condition", "task")
     if is_asked and is_open and clause.near == ("if",) and roles[k] == "condition":
-        roles[k] = "mention"
+        roles[k - 1 : k + 1] = ["condition", "mention"]
 
 
 def take_up(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
