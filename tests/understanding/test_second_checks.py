@@ -150,6 +150,22 @@ def test_a_check_that_leaves_the_state_open_is_one_with_the_next(interpreter: In
 
 
 @pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Check on the baby. If she's crying, tell me.", [{"if": [1, 2], "then": [3]}]),
+        ("Check on the soup. If it's boiling, turn it down.", [{"if": [1, 2], "then": [3]}]),
+        ("Go up and check on the twins. If they are awake, read them a story.", [{"if": [1, 2], "then": [3]}]),
+        # what is asked then is of something else
+        ("Check on the soup. If the pan is hot, tell me.", [1, {"if": 2, "then": [3]}]),
+    ],
+)
+def test_what_a_check_leaves_open_the_case_behind_it_asks(
+    interpreter: Interpreter, text: str, expected: list[object]
+) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
     ("text", "side"),
     [
         ("Check that the hatches are closed and close any that aren't.", "else"),
