@@ -111,12 +111,14 @@ def check_models(
 
 
 def check_encoder(models: Path, encoder: Path) -> None:
-    """Makes sure that the encoder goes with the CRFs beside it: it has learnt from no voice that they have not.
+    """Makes sure that the encoder goes with the CRFs beside it: one has learnt from all the voices of the other.
 
-    They may have learnt from more, since they are trained in minutes and it is not. Raises `DataFileError`.
+    Either may have learnt from more, trained when their corpus had grown; what both have voices of their own of is two
+    corpora. Raises `DataFileError`.
     """
-    known = set(read_manifest(models).voices)
-    if strange := [voice for voice in read_manifest(encoder).voices if voice not in known]:
+    known, learnt = set(read_manifest(models).voices), read_manifest(encoder).voices
+    strange = [voice for voice in learnt if voice not in known]
+    if strange and not known <= set(learnt):
         named = ", ".join(strange[:3]) + (f" and {len(strange) - 3} more" if len(strange) > 3 else "")
         raise ModelError(
             encoder / MANIFEST_FILE,
