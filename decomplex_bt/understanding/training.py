@@ -84,7 +84,7 @@ def train(
     `corpus` and `output` default to the domain's own folders. Models that lie there already are replaced only with
     `force`, but for the domain's own when they are made anew from its own corpus. `encoder`: trains the pretrained
     encoder instead, on the voices of "train", with those of "development" for the choice among readings, into the
-    folder `encoder` of `output`; an hour and ten minutes on two cores. `jobs`: parts that need nothing of each other
+    folder `encoder` of `output`; an hour and a quarter on two cores. `jobs`: parts that need nothing of each other
     run in as many processes (two at most), -1 for one a core. The test voices are never read.
     No model is written unless all were trained. The same corpus and libraries give the same files, with any number of
     jobs. Raises `DataFileError`, `TrainerMissingError` where the extra `train` is not installed, and, before anything
