@@ -10,11 +10,9 @@ it. Where a version of pymunk does not have them in the same place, pymunk's own
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Sequence
 from enum import IntFlag
 from functools import cache
-from itertools import repeat
 from typing import Any
 
 import pymunk
@@ -43,8 +41,6 @@ try:
 except (ImportError, AttributeError):  # pragma: no cover - another pymunk than those known
     _add_shape = None
     _begin = ()
-
-_exhaust = deque[Any](maxlen=0).extend
 
 GRAVITY = 9.81  # [m/s²] presses things on the floor
 FLOOR_FRICTION = 0.4  # [-] of things on the floor
@@ -97,7 +93,9 @@ class Stage:
         if not _is_known():
             space.add(*self._shapes)
             return
-        _exhaust(map(_add_shape, repeat(space._space), self._handles))
+        add, inside = _add_shape, space._space
+        for handle in self._handles:
+            add(inside, handle)
         space._shapes.update(self._noted)
 
     def person(self, row: int, position: tuple[float, float]) -> pymunk.Shape:
@@ -202,7 +200,8 @@ def clear(space: Any) -> None:
     inside = space._space
     for joint in space._constraints:
         _remove_joint(inside, joint._constraint)
-    _exhaust(map(_remove_shape, repeat(inside), [shape._shape for shape in space._shapes]))
+    for shape in space._shapes:
+        _remove_shape(inside, shape._shape)
     space._constraints.clear()
     space._shapes.clear()
     space.remove(*space.bodies)

@@ -112,10 +112,10 @@ class Completion:
 
     def _picks_of(self, said: Argument, values: Sequence[str]) -> bool:
         """Whether a mention asks of one or some of what is checked: of the lamps, "if *one* (of them) is on"."""
-        if [value.lower() for value in values] == [said.value.lower().removeprefix("one of ")]:
-            is_one_of = said.value.lower() not in (value.lower() for value in values)
-            return is_one_of or bool(picked_words(said, self._instruction.text, self._domain))
-        return False
+        whole = said.value.lower().removeprefix("one of ")
+        if [value.lower() for value in values] != [whole]:
+            return False
+        return whole != said.value.lower() or bool(picked_words(said, self._instruction.text, self._domain))
 
     def _mentioned_place(self, task: Task) -> Argument | None:
         """Where later mentions of a search say that it looks."""

@@ -3,7 +3,8 @@
 The sentences in `misread.txt` are read otherwise than they should be by the models as they are. They are expected to
 fail, and fail when they do not. After new models the list is made anew:
 
-    python -m pytest -n0 tests/understanding --runxfail -vv --tb=no | sed -n 's/ FAILED .*//p' > new.txt
+    python -m pytest -n0 tests/understanding --runxfail -vv --tb=no \\
+        | sed -n 's/ FAILED .*//p' | LC_ALL=C sort > new.txt
     mv new.txt tests/understanding/misread.txt
 """
 

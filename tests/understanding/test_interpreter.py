@@ -266,6 +266,18 @@ def test_an_encoder_that_learnt_from_voices_unknown_to_the_models_beside_it_is_r
 
 
 @pytest.mark.parametrize(
+    ("of_crfs", "of_encoder"), [(["ann", "bob"], ["ann"]), (["ann"], ["ann", "bob"]), (["ann", "bob"], ["bob", "ann"])]
+)
+def test_either_of_models_and_encoder_may_have_learnt_from_more_voices(of_crfs, of_encoder, tmp_path):
+    shipped = load_domain("household").folder / "models"
+    for folder, voices in ((tmp_path, of_crfs), (tmp_path / "encoder", of_encoder)):
+        folder.mkdir(exist_ok=True)
+        manifest = json.loads((shipped / folder.relative_to(tmp_path) / "manifest.json").read_text(encoding="utf-8"))
+        (folder / "manifest.json").write_text(json.dumps(manifest | {"voices": voices}), encoding="utf-8")
+    check_encoder(tmp_path, tmp_path / "encoder")
+
+
+@pytest.mark.parametrize(
     ("path", "command"),
     [
         ("models/tasks.crf", "decomplex-bt train --domain {}"),

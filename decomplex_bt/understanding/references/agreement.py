@@ -190,9 +190,9 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def is_no_single_thing(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "it" cannot mean a candidate because that is somebody ("warm the soup if *Max* is in. When *it*'s hot,
     ...") or several things, where one thing is named ("shake *the crumbs* off the cloth and fold *it*") or one of them
-    is ("if one of *the lamps* is on, ... *it*"), or "them"
-    because it is the one thing of a task that names several. A baby may be "it", but is given to nobody it is itself,
-    and so may be whoever is at the door ("if *it*'s Max"); who is told something is none."""
+    is ("if one of *the lamps* is on, ... *it*"), or "them" because it is the one thing of a task that names several. A
+    baby may be "it", but is given to nobody it is itself, and so may be whoever is at the door ("if *it*'s Max"); who
+    is told something is none."""
     tokens, head = context.observed.document.tokens, context.observed.document.tokens[candidate.head]
     if gap.word == "they" and _are_all(context, gap):
         return not candidate.mention and _is_person(context, candidate) and tokens[candidate.head].tag in _SINGULARS
