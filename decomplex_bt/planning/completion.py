@@ -56,6 +56,7 @@ class Completion:
         for group in task_type.required:
             if not given & set(group):
                 self._check_stateless(task, group[0])
+                self._check_let(task, group[0])
                 answer = self._answer(task, group[0], task_type.questions[group[0]])
                 task = replace(task, arguments=(*task.arguments, Argument(group[0], answer)))
         return task
@@ -72,6 +73,15 @@ class Completion:
             f"{done!r} says nothing that can be done with {what!r} here, which has no state to change; "
             "ask for something else"
         )
+
+    def _check_let(self, task: Task, lacking: str) -> None:
+        """Raises `ImpossibleGoalError` where somebody is let in or out, which is to no place that an answer could name."""
+        done, what = task.span.of(self._instruction.text).lower(), task.value("object")
+        if task.type == "placing" and lacking == "goal" and done == "let":
+            raise ImpossibleGoalError(
+                f"nobody comes into this house or leaves it, so that {what!r} cannot be let in or out; "
+                "ask for something else"
+            )
 
     def _check_working(self, task: Task) -> None:
         """Raises `ImpossibleGoalError` where a check asks whether a device works, which nobody sees: to try it is more

@@ -63,7 +63,8 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
             if is_around or is_named or asks_openly(observed.document, verb):
                 given |= {"object", "state"}
         place = observed.document.indices(task.span).start
-        if observed.gazetteer.ending_type(observed.document, place) == task.type:
+        is_let = observed.document.tokens[place].lemma == "let"  # in or out, which is nowhere in particular
+        if is_let or observed.gazetteer.ending_type(observed.document, place) == task.type:
             given.add("goal")
         for group in task_type.required:
             if not given & set(group):

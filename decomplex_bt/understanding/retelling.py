@@ -42,6 +42,7 @@ _DETERMINING = _INDEFINITE | {"the"}
 _APPOSING = frozenset((",", ":", "-", "–", "—"))
 _POINTING = frozenset(("this", "that", "these", "those"))
 _SPEAKING = frozenset(("i", "we"))
+_SERVING = frozenset(("do", "be", "work"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +94,7 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         insertions[place] += map(Told, condition if condition or not found.is_run_on else [COMMA])
         if order is None or words is None:
             continue
-        carrier = _carrier(document, found.tokens)
+        carrier = _carrier(document, found)
         verbs[document.tokens[carrier].start] = document.tokens[order].start
         insertions[place] += [Told(i, place, carrier if i == order else None) for i in words[0]]
         insertions[end] += [Told(i, place) for i in words[1]]
@@ -188,8 +189,13 @@ def _with_noun(document: Document, which: _Specified) -> Iterator[Told]:
         yield from (Told(n, i, i) for n in noun) if is_one else (Told(i),)
 
 
-def _carrier(document: Document, words: range) -> int:
-    """The word of a phrase that carries an unsaid verb: its preposition, else its head."""
+def _carrier(document: Document, found: Alternative) -> int:
+    """The word that carries an unsaid verb: that by which the phrase serves ("a fig will *do*"), else its preposition,
+    else its head."""
+    serving = next((i for i in found.praise if document.tokens[i].lemma in _SERVING), None)
+    if serving is not None:
+        return serving
+    words = found.tokens
     return words.start if document.tokens[words.start].lower in PREPOSITIONS else head_of(document, words)
 
 

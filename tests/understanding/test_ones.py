@@ -32,6 +32,10 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("Get a pear if there is one.", "a pear"),
         ("The red mug is dirty. Bring me a clean one.", "a clean mug"),
         ("Bring me three of the apples.", "three of the apples"),
+        # any of a kind, where a known thing is named beside it
+        ("Hang the scarf on a peg if you can find one.", "a peg"),
+        ("Serve the tart on a board if there is one.", "a board"),
+        ("Pour the broth into a jug if you find a clean one.", "a clean jug"),
     ],
 )
 def test_one_is_of_a_kind(text: str, value: str, encoder: bool) -> None:

@@ -46,6 +46,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
         # no verb
         ("Count the cups. If fewer than six, tell Dad.", [1, {"if": 2, "then": [3]}]),
         ("Look in the chest for the tape, otherwise on the shelf.", [{"if": 1, "else": [2]}]),
+        ("Set the pot on a mat if you can find one, otherwise on the bricks.", [{"if": 2, "then": [1], "else": [3]}]),
         ("Bring me a cola, and if there is no cola a lemonade will do.", [{"if": 2, "then": [1], "else": [3]}]),
         # it is left where it is in a case
         (

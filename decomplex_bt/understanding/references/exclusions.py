@@ -56,6 +56,7 @@ from decomplex_bt.understanding.references.wholes import (
 from decomplex_bt.understanding.vocabulary import AIRED, ONES, PLACE_ADVERBS, TIMES_OF_DAY, WARMTH
 
 SOMEBODY = frozenset(("he", "him", "she", "her"))
+_INDEFINITE = frozenset(("a", "an", "another"))
 _SAYING = frozenset("say answer reply choose pick".split())
 MOVING = frozenset(("bringing", "taking", "placing"))
 ACTS = (
@@ -114,7 +115,7 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if gap.form == "own" and _is_some_person(context, candidate):
         return True  # "mine" and "Dad's" are things
-    if _is_single(context, gap, candidate):
+    if _is_single(context, gap, candidate) or _is_known_beside_any(context, gap, candidate):
         return True
     if _is_in_the_verb(context, gap, candidate) or _is_second_choice(context, gap, candidate):
         return True
@@ -221,6 +222,25 @@ def _is_single(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_known = tokens[candidate.tokens.start].lower not in ("a", "an")
     named = (c for c in context.pool if c.type == "object" and not c.mention and c.tokens.stop <= gap.position)
     return is_known and any(tokens[c.head].tag == "NNS" for c in named)
+
+
+def _is_known_beside_any(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is a known thing, where finding or having "one" is the case of an order that names any of a
+    kind as well: "put *the flowers* in a vase if you can find *one*"."""
+    document = context.observed.document
+    verb = document.indices(gap.task.span).start
+    is_found = gap.task.type in ("searching", "check_state") and verb < gap.position
+    first = document.tokens[gap.tokens.start].lower if gap.tokens else ""
+    is_any = gap.word == "one" and (len(gap.tokens) == 1 or first in _INDEFINITE)
+    if not is_any or not is_found or _is_indefinite(document, candidate):
+        return False
+    sentence = document.sentences[gap.position]
+    named = [c for c in context.pool if c.tokens.stop <= verb and document.sentences[c.tokens.start] == sentence]
+    return candidate in named and any(_is_indefinite(document, c) and c.owner == candidate.owner for c in named)
+
+
+def _is_indefinite(document: Document, candidate: Candidate) -> bool:
+    return not candidate.mention and document.tokens[candidate.tokens.start].lower in _INDEFINITE
 
 
 def _is_in_the_verb(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -127,7 +127,9 @@ def _settled_type(observed: Observed, task: FoundTask, following: int) -> str:
         return "check_state"
     if task.type == "motion" and are_gone(document, task.token):
         return "check_state"
-    if task.type != "check_state" and (admitted(document, task.token) or is_answered(document, task.token)):
+    if task.type != "check_state" and admitted(document, task.token):
+        return "placing"
+    if task.type != "check_state" and is_answered(document, task.token):
         return "change_state"
     if task.type == "informing" and lemma == "enter":
         return "motion"  # "only enter if Tom says so"

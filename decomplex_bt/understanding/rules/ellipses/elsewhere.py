@@ -17,6 +17,8 @@ _BE = frozenset("be is are 's \u2019s 're \u2019re".split())
 _BETWEEN = frozenset("probably likely surely maybe perhaps still also usually always then just".split())
 _DENYING = frozenset("not n't n\u2019t nt no none".split())
 _OPENING = frozenset(("if", "otherwise"))
+_CASES = frozenset(("if", "unless"))
+_FINDING = frozenset(("searching", "check_state"))
 _BEFORE_CASES = frozenset("and but so or well then".split())
 _ONE_MORE = frozenset("another one more some spare extra others".split())
 _NAMED = frozenset(("DET", "ADJ", "NOUN", "NUM", "PROPN", "PRON"))
@@ -67,9 +69,19 @@ def other_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fra
         place = next((chunk for chunk in noun_chunks(document) if chunk.start == start + 1), None)
         if not is_next or before is None or tasks[before] != "searching" or place is None or tokens[start].tag != "IN":
             continue
+        if _is_case_of_order(document, before, tasks):
+            continue
         behind = tokens[place.stop] if place.stop < len(tokens) else None
         if (behind is None or behind.text in MARKS) and tokens[start].lower in _WHERE:
             yield Fragment(range(start, place.stop), start, range(0), range(start, place.stop), "searching")
+
+
+def _is_case_of_order(document: Document, search: int, tasks: Mapping[int, str]) -> bool:
+    """Whether finding something is the case of an order ahead of it in its sentence, so that what is said behind an
+    "otherwise" is of the order: "put it on a trivet if you *find* one, otherwise on the tiles"."""
+    begin = next((i for i, sentence in enumerate(document.sentences) if sentence == document.sentences[search]), search)
+    opener = next((i for i in range(search, begin, -1) if document.tokens[i].lower in _CASES), begin)
+    return any(tasks.get(i, "searching") not in _FINDING for i in range(begin, opener))
 
 
 def first_searches(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:

@@ -75,8 +75,8 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     return {
         **{i: "change_state" for i in orders if i is not None and i not in tasks},
         **{i: "check_state" if degree_asked(document, i) else "searching" for i in _looks(document, tasks)},
-        **dict.fromkeys(_lettings(document), "placing"),
-        **dict.fromkeys((*admissions(document, tasks), *_deeds(document)), "change_state"),
+        **dict.fromkeys((*admissions(document, tasks), *_lettings(document)), "placing"),
+        **dict.fromkeys(_deeds(document), "change_state"),
         **dict.fromkeys(_leavings(document, tasks), "motion"),
         **dict.fromkeys(_troubles(document), "bringing"),
         **dict.fromkeys(_knocks(document, tasks), "informing"),

@@ -101,7 +101,11 @@ def _of_placing(setting: Setting, kept: list[FoundArgument], task: int) -> list[
     document = setting.document
     kept = [a for a in kept if a.owner != task or not _is_particle(document, a)]
     kept = put_out(document, put_in(setting.observed, with_loaded(setting.observed, kept, task), task), task)
-    return put_inside(document, gone_to(document, kept, task), task)
+    kept = put_inside(document, gone_to(document, kept, task), task)
+    if whom := admitted(document, task):
+        kept = [a for a in kept if a.owner != task or not set(a.tokens) & set(range(task, whom.stop + 1))]
+        kept.append(FoundArgument("object", task, whom, CERTAIN))
+    return kept
 
 
 def _of_bringing(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
@@ -115,9 +119,6 @@ def _of_change(setting: Setting, kept: list[FoundArgument], task: int) -> list[F
     document = setting.document
     kept = [a for a in kept if a.owner != task or not is_of_forbidden(document, a)]
     kept = without_particle(setting.observed, without_deed(document, fed(document, kept, task), task), task)
-    if whom := admitted(document, task):
-        kept = [a for a in kept if a.owner != task or not set(a.tokens) & set(range(task, whom.stop + 1))]
-        kept.append(FoundArgument("object", task, whom, CERTAIN))
     return kept
 
 
