@@ -75,7 +75,7 @@ class Completion:
         )
 
     def _check_let(self, task: Task, lacking: str) -> None:
-        """Raises `ImpossibleGoalError` where somebody is let in or out, which is to no place that an answer could name."""
+        """Raises `ImpossibleGoalError` where somebody is let in or out, which is to no place that could be named."""
         done, what = task.span.of(self._instruction.text).lower(), task.value("object")
         if task.type == "placing" and lacking == "goal" and done == "let":
             raise ImpossibleGoalError(

@@ -11,6 +11,7 @@ from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.bare_states import bare_state
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.amounts import is_count, is_half
 from decomplex_bt.understanding.references.chunks import head_of, is_child, stripped
 from decomplex_bt.understanding.references.nouns import bare_of, noun_of, whole_noun_of
 from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, is_placed, is_pointing
@@ -93,6 +94,9 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     if is_placed(document, inner):
         inner = inner[:1]
     form = _form(document, inner) or ("kind" if _is_kind(document, task, argument, inner) else None)
+    amount = _amount_alone(document, argument, tokens, inner) if form is None else range(0)
+    if amount:
+        inner, form = amount, "half" if is_half(document, amount) else "count"
     if form is None:
         return None
     before = inner.start - 1
@@ -104,7 +108,7 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     # "if *one* is chipped", "when *his* is full"
     is_subject = is_alone and document.indices(task.span).start == inner.stop
     is_another = [document.tokens[i].lower for i in inner] == ["another", "one"]
-    is_certain = is_of_it or is_subject or is_another or is_told_one(document, inner)
+    is_certain = is_of_it or is_subject or is_another or is_told_one(document, inner) or bool(amount)
     return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_certain)
 
 
@@ -112,6 +116,14 @@ def _is_kind(document: Document, task: Task, argument: Argument, tokens: range) 
     """Whether an adjective alone tells of what kind there is some: "any wine? If there's *white*, ..."."""
     is_asked = argument.type == "object" and len(tokens) == 1 and asks_there_is(document, task)
     return is_asked and (document.tokens[tokens.start].pos == "ADJ" or document.tokens[tokens.start].lower in _KINDS)
+
+
+def _amount_alone(document: Document, argument: Argument, tokens: range, inner: range) -> range:
+    """The words of an object that only tell how many or how much of what was named, with their "at", which is no
+    preposition there ("if there are *at least ten*"); empty for any others."""
+    if argument.type != "object":
+        return range(0)
+    return next((said for said in (tokens, inner) if is_count(document, said) or is_half(document, said)), range(0))
 
 
 def _landmark(document: Document, tokens: range) -> range:
@@ -369,6 +381,10 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
             yield f"{first.text} {told}", "counted"
         yield text, "same"
         return
+    if gap.form == "half":
+        is_told = is_open or text.split()[0].lower() in _DETERMINERS
+        yield f"half of {text if is_told else f'the {text}'}", "of"
+        return
     if gap.form == "kind":
         yield f"{gap.word} {noun_of(document, candidate, is_plural=None)}", "kind"
         return
@@ -380,7 +396,8 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         return
     is_further = any(document.tokens[i].lower == "another" for i in gap.tokens[:1])
     is_named = document.tokens[candidate.head].lower not in QUANTIFIERS  # no "six any" of "any of the plums"
-    if is_named and (gap.form == "count" or gap.word in ("ones", "some", "any") or is_further):
+    is_quantity = gap.word in ("ones", "some", "any") or (gap.word in ("more", "enough") and len(gap.tokens) == 1)
+    if is_named and (gap.form == "count" or is_quantity or is_further):
         words = _text(document, range(gap.tokens.start, _last_modifier(gap) + 1))
         if gap.form == "count" and document.tokens[gap.tokens.start].lower == "a":
             words += " of" if gap.word in ("couple", "pair") else ""

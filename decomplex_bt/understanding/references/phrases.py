@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.amounts import is_count, is_half
 from decomplex_bt.understanding.references.chunks import (
     between_verbs,
     coordinations,
@@ -126,6 +127,8 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             if not inner or is_pointing(document, inner) or is_pronoun(document, inner) or is_placed(document, inner):
                 continue
             if document.tokens[inner.start].lower == "who":  # "see *who it is*"
+                continue
+            if is_count(document, inner) or is_half(document, inner):
                 continue
             head = head_of(document, inner)
             short = range(inner.start, head + 1)

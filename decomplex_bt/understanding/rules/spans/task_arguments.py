@@ -118,8 +118,7 @@ def _of_bringing(setting: Setting, kept: list[FoundArgument], task: int) -> list
 def _of_change(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
     document = setting.document
     kept = [a for a in kept if a.owner != task or not is_of_forbidden(document, a)]
-    kept = without_particle(setting.observed, without_deed(document, fed(document, kept, task), task), task)
-    return kept
+    return without_particle(setting.observed, without_deed(document, fed(document, kept, task), task), task)
 
 
 def _of_check(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
