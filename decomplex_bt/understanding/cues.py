@@ -93,9 +93,12 @@ def _counts(document: Document, instead: int) -> bool:
 
 
 def _goes_on(document: Document, words: Sequence[str], position: int, end: int) -> bool:
-    """Whether words that may stand for a whole condition only begin one: "if no cup is clean"; where nothing was said
-    before, that they could mean, also "if none of the cups is clean" and "if you are unable to open it"; and "if none
-    comes" and "if none of them is open" say themselves what does not, or what none is."""
+    """Whether words that may stand for a whole condition only begin one: "if no cup is clean", "if any (of them) are
+    dirty"; where nothing was said before, that they could mean, also "if none of the cups is clean" and "if you are
+    unable to open it"; and "if none comes" and "if none of them is open" say themselves what does not, or what none
+    is."""
+    if words[position:end] == _IF_ANY:
+        return end < len(words) and words[end].isalpha() and words[end] not in _AFTER_PRO_FORM
     is_first = not any(token.pos == "VERB" for token in document.tokens[:position])
     comes = document.tokens[end] if end < len(words) else None
     is_of_none = words[end - 1] == "none" and comes is not None and comes.pos == "VERB" and comes.tag in ("VBZ", "VBP")
@@ -310,6 +313,7 @@ _NO = frozenset(("no", "not", "nope", "nothing", "none", "nowhere", "neither", "
 _YES = frozenset(("yes", "yep", "yeah"))
 _LONGEST_ANSWER = 4
 _IN_CASE = ["in", "the", "case", "that"]
+_IF_ANY = ["if", "any"]
 
 
 def _longest(words: Sequence[str], position: int) -> tuple[int, tuple[str, ...]]:

@@ -24,6 +24,18 @@ def test_what_a_but_calls_off_ahead_of_the_case_is_not_done_in_it(interpreter: I
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "Pick the figs, and if any of them are green, leave them be.",
+        "Pick the figs, and if any are green, leave them.",
+        "Iron the blouses. If any of them are silk, leave those alone.",
+    ],
+)
+def test_some_that_are_let_be_call_off_the_order(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 2, "else": [1]}]
+
+
+@pytest.mark.parametrize(
     ("text", "expected"),
     [
         ("Empty the ashtrays if they are full and leave them alone otherwise.", [{"if": 2, "then": [1]}]),

@@ -21,10 +21,10 @@ _OPENERS = frozenset(("if", "when"))
 _LEAVING = tuple(
     tuple(phrase.split())
     for phrase in (
-        "leave it", "leave that", "leave them", "leave him", "leave her", "skip it", "skip that", "skip them",
-        "forget it", "forget about it", "forget that", "never mind", "nevermind", "do not", "dont", "do not bother",
-        "dont bother", "do not do it", "do not do that", "hold off", "let it be", "let them be", "do it later",
-        "do that later", "give it a miss", "no need",
+        "leave it", "leave that", "leave them", "leave those", "leave him", "leave her", "skip it", "skip that",
+        "skip them", "forget it", "forget about it", "forget that", "never mind", "nevermind", "do not", "dont",
+        "do not bother", "dont bother", "do not do it", "do not do that", "hold off", "let it be", "let them be",
+        "let him be", "let her be", "do it later", "do that later", "give it a miss", "no need",
     )
 )  # fmt: skip
 """What says that something is not to be done, in the normal form of cues."""
