@@ -75,12 +75,11 @@ class Completion:
         )
 
     def _check_let(self, task: Task, lacking: str) -> None:
-        """Raises `ImpossibleGoalError` where somebody is let in or out, which is to no place that could be named."""
+        """Raises `ImpossibleGoalError` where somebody or something is let in or out, which is no place."""
         done, what = task.span.of(self._instruction.text).lower(), task.value("object")
         if task.type == "placing" and lacking == "goal" and done == "let":
             raise ImpossibleGoalError(
-                f"nobody comes into this house or leaves it, so that {what!r} cannot be let in or out; "
-                "ask for something else"
+                f"nothing is let in or out of anything here, {what!r} neither; ask for something else"
             )
 
     def _check_working(self, task: Task) -> None:

@@ -98,7 +98,10 @@ def _goes_on(document: Document, words: Sequence[str], position: int, end: int) 
     unable to open it"; and "if none comes" and "if none of them is open" say themselves what does not, or what none
     is."""
     if words[position:end] == _IF_ANY:
-        return end < len(words) and words[end].isalpha() and words[end] not in _AFTER_PRO_FORM
+        behind = words[end : end + 2]
+        is_handled = behind[1:] in (["it"], ["them"]) and behind[0] != "of"  # "if any *kill* them"
+        is_order = is_handled or not (_AFTER_PRO_FORM | _ORDERED).isdisjoint(behind[:1])
+        return bool(behind) and behind[0].isalpha() and not is_order
     is_first = not any(token.pos == "VERB" for token in document.tokens[:position])
     comes = document.tokens[end] if end < len(words) else None
     is_of_none = words[end - 1] == "none" and comes is not None and comes.pos == "VERB" and comes.tag in ("VBZ", "VBP")

@@ -43,6 +43,7 @@ _APPOSING = frozenset((",", ":", "-", "–", "—"))
 _POINTING = frozenset(("this", "that", "these", "those"))
 _SPEAKING = frozenset(("i", "we"))
 _SERVING = frozenset(("do", "be", "work"))
+_IS = frozenset(("'s", "\u2019s"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,9 +193,9 @@ def _with_noun(document: Document, which: _Specified) -> Iterator[Told]:
 def _carrier(document: Document, found: Alternative) -> int:
     """The word that carries an unsaid verb: that by which the phrase serves ("a fig will *do*"), else its preposition,
     else its head."""
-    serving = next((i for i in found.praise if document.tokens[i].lemma in _SERVING), None)
-    if serving is not None:
-        return serving
+    for i in found.praise:
+        if document.tokens[i].lemma in _SERVING or document.tokens[i].lower in _IS:
+            return i
     words = found.tokens
     return words.start if document.tokens[words.start].lower in PREPOSITIONS else head_of(document, words)
 

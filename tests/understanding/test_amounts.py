@@ -16,6 +16,11 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("Look at the lemons; if there are more than ten, squeeze five.", 3, "five lemons"),
         ("Wash the plums and give me a dozen.", 2, "a dozen plums"),
         ("Slice the melon, freeze half and bring me a plate.", 2, "half of the melon"),
+        ("Count the rolls. If there are under ten, thaw a loaf.", 2, "under ten rolls"),
+        ("Wash the figs and give me half a dozen.", 2, "half a dozen figs"),
+        ("Slice Anna's melon and freeze half.", 2, "half of Anna's melon"),
+        # a name
+        ("Wash the plates and open 12.", 2, "12"),
         # with its noun
         ("Count the stools, and if there are fewer than eight chairs, fetch the bench.", 2, "fewer than eight chairs"),
         ("Wash the plums and give me half a pear.", 2, "half a pear"),

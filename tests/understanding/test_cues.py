@@ -20,6 +20,7 @@ from decomplex_bt.understanding.document import Parser
         ("if you ca n't find it", ["if", "not"]),
         ("if any , bring them", ["so"]),
         ("if any bring them", ["so"]),
+        ("if any kill them", ["so"]),
         ("if any are wet , bring them", ["if"]),
         ("if any of it is wet , bring it", ["if"]),
         ("if any cups are wet , bring them", ["if"]),

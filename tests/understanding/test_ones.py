@@ -36,6 +36,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("Hang the scarf on a peg if you can find one.", "a peg"),
         ("Serve the tart on a board if there is one.", "a board"),
         ("Pour the broth into a jug if you find a clean one.", "a clean jug"),
+        ("Put the plums in a bowl, and if you find a rotten one, throw it away.", "a rotten plum"),
     ],
 )
 def test_one_is_of_a_kind(text: str, value: str, encoder: bool) -> None:

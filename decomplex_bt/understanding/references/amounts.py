@@ -6,17 +6,26 @@ from __future__ import annotations
 from decomplex_bt.understanding.document import Document
 
 _LIMITS = frozenset(
-    ((), ("fewer", "than"), ("less", "than"), ("more", "than"), ("at", "least"), ("at", "most"), ("only",), ("over",))
-)
+    tuple(words.split())
+    for words in (
+        "fewer than", "less than", "more than", "no fewer than", "no less than", "no more than", "at least", "at most",
+        "up to", "only", "just", "exactly", "about", "around", "over", "under",
+    )
+)  # fmt: skip
 """What stands ahead of a number that says how many there are, or are to be."""
-_DOZEN = ("a", "dozen")
+_DOZENS = frozenset((("a", "dozen"), ("half", "a", "dozen")))
 
 
-def is_count(document: Document, tokens: range) -> bool:
-    """Whether words only tell how many: "*fewer than six*", "boil *ten*", "*a dozen*"; not "one"."""
-    *ahead, last = (document.tokens[i] for i in tokens)
-    words = tuple(token.lower for token in ahead)
-    return (last.pos == "NUM" and last.lower != "one" and words in _LIMITS) or (*words, last.lower) == _DOZEN
+def is_amount(document: Document, tokens: range) -> bool:
+    """Whether words only tell how many or how much: "*fewer than six*", "*a dozen*", "*half*"; not a number
+    alone, which may as well be a name ("press *12*")."""
+    return is_half(document, tokens) or is_limited(document, tokens)
+
+
+def is_limited(document: Document, tokens: range) -> bool:
+    """Whether words tell how many by a limit to a number, or by the dozen."""
+    words = tuple(document.tokens[i].lower for i in tokens)
+    return words in _DOZENS or (words[:-1] in _LIMITS and document.tokens[tokens.stop - 1].pos == "NUM")
 
 
 def is_half(document: Document, tokens: range) -> bool:

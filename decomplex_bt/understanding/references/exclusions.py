@@ -234,9 +234,11 @@ def _is_known_beside_any(context: Context, gap: Gap, candidate: Candidate) -> bo
     is_any = gap.word == "one" and (len(gap.tokens) == 1 or first in _INDEFINITE)
     if not is_any or not is_found or _is_indefinite(document, candidate):
         return False
-    sentence = document.sentences[gap.position]
-    named = [c for c in context.pool if c.tokens.stop <= verb and document.sentences[c.tokens.start] == sentence]
-    return candidate in named and any(_is_indefinite(document, c) and c.owner == candidate.owner for c in named)
+    is_case = any(condition == gap.task.id for condition, _ in context.paths.get(candidate.owner, ()))
+    if not is_case or candidate.tokens.stop > verb:
+        return False
+    named = (c for c in context.pool if c.owner == candidate.owner and c.tokens.stop <= verb)
+    return any(_is_indefinite(document, c) for c in named)
 
 
 def _is_indefinite(document: Document, candidate: Candidate) -> bool:

@@ -11,7 +11,7 @@ from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.bare_states import bare_state
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.amounts import is_count, is_half
+from decomplex_bt.understanding.references.amounts import is_amount, is_half
 from decomplex_bt.understanding.references.chunks import head_of, is_child, stripped
 from decomplex_bt.understanding.references.nouns import bare_of, noun_of, whole_noun_of
 from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, is_placed, is_pointing
@@ -21,6 +21,7 @@ REFERRING = PRONOUNS
 PREDICATE = "predicate"
 """The type of a gap that a state or a place fills: what a check leaves out in "if it is"."""
 
+_POSSESSIVES = ("'s", "\u2019s")
 _COUNTS = frozenset("one two three four five six few couple pair".split())
 _NUMBERS = _COUNTS - {"one", "few", "couple", "pair"}
 _FURTHER = frozenset(("other", "more", "another"))
@@ -94,9 +95,9 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     if is_placed(document, inner):
         inner = inner[:1]
     form = _form(document, inner) or ("kind" if _is_kind(document, task, argument, inner) else None)
-    amount = _amount_alone(document, argument, tokens, inner) if form is None else range(0)
-    if amount:
-        inner, form = amount, "half" if is_half(document, amount) else "count"
+    is_amount_alone = form is None and argument.type == "object" and is_amount(document, tokens)
+    if is_amount_alone:
+        inner, form = tokens, "half" if is_half(document, tokens) else "count"
     if form is None:
         return None
     before = inner.start - 1
@@ -108,7 +109,7 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     # "if *one* is chipped", "when *his* is full"
     is_subject = is_alone and document.indices(task.span).start == inner.stop
     is_another = [document.tokens[i].lower for i in inner] == ["another", "one"]
-    is_certain = is_of_it or is_subject or is_another or is_told_one(document, inner) or bool(amount)
+    is_certain = is_of_it or is_subject or is_another or is_told_one(document, inner) or is_amount_alone
     return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_certain)
 
 
@@ -116,14 +117,6 @@ def _is_kind(document: Document, task: Task, argument: Argument, tokens: range) 
     """Whether an adjective alone tells of what kind there is some: "any wine? If there's *white*, ..."."""
     is_asked = argument.type == "object" and len(tokens) == 1 and asks_there_is(document, task)
     return is_asked and (document.tokens[tokens.start].pos == "ADJ" or document.tokens[tokens.start].lower in _KINDS)
-
-
-def _amount_alone(document: Document, argument: Argument, tokens: range, inner: range) -> range:
-    """The words of an object that only tell how many or how much of what was named, with their "at", which is no
-    preposition there ("if there are *at least ten*"); empty for any others."""
-    if argument.type != "object":
-        return range(0)
-    return next((said for said in (tokens, inner) if is_count(document, said) or is_half(document, said)), range(0))
 
 
 def _landmark(document: Document, tokens: range) -> range:
@@ -382,7 +375,7 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         yield text, "same"
         return
     if gap.form == "half":
-        is_told = is_open or text.split()[0].lower() in _DETERMINERS
+        is_told = text.split()[0].lower() in _DETERMINERS or text.split()[0].endswith(_POSSESSIVES)
         yield f"half of {text if is_told else f'the {text}'}", "of"
         return
     if gap.form == "kind":

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.amounts import is_count, is_half
+from decomplex_bt.understanding.references.amounts import is_amount
 from decomplex_bt.understanding.references.chunks import (
     between_verbs,
     coordinations,
@@ -128,7 +128,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
                 continue
             if document.tokens[inner.start].lower == "who":  # "see *who it is*"
                 continue
-            if is_count(document, inner) or is_half(document, inner):
+            if argument.type == "object" and is_amount(document, tokens):
                 continue
             head = head_of(document, inner)
             short = range(inner.start, head + 1)

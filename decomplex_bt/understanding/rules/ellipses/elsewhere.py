@@ -79,9 +79,10 @@ def other_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fra
 def _is_case_of_order(document: Document, search: int, tasks: Mapping[int, str]) -> bool:
     """Whether finding something is the case of an order ahead of it in its sentence, so that what is said behind an
     "otherwise" is of the order: "put it on a trivet if you *find* one, otherwise on the tiles"."""
-    begin = next((i for i, sentence in enumerate(document.sentences) if sentence == document.sentences[search]), search)
+    begin = document.sentences.index(document.sentences[search])
     opener = next((i for i in range(search, begin, -1) if document.tokens[i].lower in _CASES), begin)
-    return any(tasks.get(i, "searching") not in _FINDING for i in range(begin, opener))
+    is_case = not any(i in tasks for i in range(opener + 1, search))  # "if it's empty, *look* for more in the attic"
+    return is_case and any(tasks.get(i, "searching") not in _FINDING for i in range(begin, opener))
 
 
 def first_searches(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:

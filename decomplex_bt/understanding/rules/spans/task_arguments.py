@@ -103,7 +103,7 @@ def _of_placing(setting: Setting, kept: list[FoundArgument], task: int) -> list[
     kept = put_out(document, put_in(setting.observed, with_loaded(setting.observed, kept, task), task), task)
     kept = put_inside(document, gone_to(document, kept, task), task)
     if whom := admitted(document, task):
-        kept = [a for a in kept if a.owner != task or not set(a.tokens) & set(range(task, whom.stop + 1))]
+        kept = [a for a in kept if a.owner != task or not set(a.tokens) & set(whom)]
         kept.append(FoundArgument("object", task, whom, CERTAIN))
     return kept
 
