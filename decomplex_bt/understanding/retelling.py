@@ -70,7 +70,7 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
     where it has none. `instruction`: how the text was read as it stands."""
     document = observed.document
     read = {document.indices(task.span).start: task for task in instruction.tasks}
-    tasks = {i: task for i, task in read.items() if task.type == "check_state" or not _is_named(document, i)}
+    tasks = {i: task for i, task in read.items() if task.type == "check_state" or not _is_unsaid(observed, i)}
     insertions: dict[int, list[Told]] = defaultdict(list)
     moved: set[int] = set()
     verbs: dict[int, int] = {}
@@ -133,13 +133,19 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
     return Retelling(told(document, sequence), verbs, merged)
 
 
-def _is_named(document: Document, token: int) -> bool:
-    """Whether a word is the noun of a phrase, which, read as a task, stands for an unsaid verb: "otherwise *a fig*"."""
-    tokens = document.tokens
+def _is_unsaid(observed: Observed, token: int) -> bool:
+    """Whether a word that was read as a task stands for an unsaid verb: a preposition ("otherwise *on* the desk"), a
+    particle, a number, or the noun of a phrase ("otherwise *a fig*", "otherwise *coffee*")."""
+    document, tokens = observed.document, observed.document.tokens
+    if tokens[token].lower in PREPOSITIONS | PARTICLES and tokens[token].pos in ("ADP", "ADV"):
+        return True
     first = min((i for i in document.children[token] if i < token and tokens[i].dep in _DESCRIBING), default=token)
     # not "failing *which*, light it", "in either *case* report to me"
     is_phrase = all(word.pos in _LEADING and not word.tag.startswith("W") for word in tokens[first:token])
-    return tokens[token].pos in _NOUNS and first < token and is_phrase
+    is_last = token + 1 == len(tokens) or tokens[token + 1].text in MARKS
+    is_bare = tokens[token].pos == "NOUN" and is_last and not observed.senses[token]
+    is_named = tokens[token].pos in _NOUNS and first < token and is_phrase
+    return tokens[token].pos == "NUM" or is_bare or is_named
 
 
 def _specified(observed: Observed, tasks: Mapping[int, Task]) -> Iterator[_Specified]:

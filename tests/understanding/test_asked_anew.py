@@ -191,8 +191,3 @@ def test_of_several_who_do_the_same_it_is_the_one_that_suits(
 @pytest.mark.parametrize("text", ["Let the plumber in and wipe the sink.", "Let the dog in if he barks."])
 def test_nobody_asks_where_to_let_somebody_in(interpreter: Interpreter, text: str) -> None:
     assert not interpreter.interpret(text).missing
-
-
-def test_where_water_goes_is_asked(interpreter: Interpreter) -> None:
-    (missing,) = interpreter.interpret("Let the water out of the sink.").missing
-    assert missing.argument == "goal"
