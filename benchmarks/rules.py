@@ -5,7 +5,7 @@
 PATH: a file or folder of annotated instructions that no rule was made with (domains/household/corpus/outsiders).
 Nothing is trained: the models are the shipped ones, which read beside all the rules. A row has the flows that are
 right, and how many come out right only with the rules of that kind, and only without them, of flows and of flows with
-all values; of the last kind are all the others. Two minutes for each row and a thousand instructions.
+all values; the last kind is all the others. Two minutes for each row and a thousand instructions.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import head_of
-from decomplex_bt.understanding.references.gaps import gap_of, last_word
+from decomplex_bt.understanding.references.gaps import gap_of, is_let_through
 from decomplex_bt.understanding.references.relatives import exclusions
 from decomplex_bt.understanding.rules.cases.questions import asks_openly
 from decomplex_bt.understanding.rules.cases.times import times
@@ -36,8 +36,6 @@ _ONE_OF_EACH = {
 }  # fmt: skip
 """By type of task, what a task has one of, or one for each thing."""
 _HOW_MANY = "how many "
-_THROUGH = frozenset(("in", "out"))
-"""What somebody is let, which is nowhere in particular."""
 
 
 def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, domain: Domain) -> Iterator[Missing]:
@@ -65,8 +63,10 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
             if is_around or is_named or asks_openly(observed.document, verb):
                 given |= {"object", "state"}
         place = observed.document.indices(task.span).start
-        is_let = observed.document.tokens[place].lemma == "let" and last_word(observed.document, place) in _THROUGH
-        if is_let or observed.gazetteer.ending_type(observed.document, place) == task.type:
+        if (
+            is_let_through(observed.document, place)
+            or observed.gazetteer.ending_type(observed.document, place) == task.type
+        ):
             given.add("goal")
         for group in task_type.required:
             if not given & set(group):

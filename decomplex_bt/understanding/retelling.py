@@ -42,8 +42,7 @@ _DETERMINING = _INDEFINITE | {"the"}
 _APPOSING = frozenset((",", ":", "-", "–", "—"))
 _POINTING = frozenset(("this", "that", "these", "those"))
 _SPEAKING = frozenset(("i", "we"))
-_SERVING = frozenset(("do", "be", "work"))
-_IS = frozenset(("'s", "\u2019s"))
+_SERVING = frozenset(("do", "be", "work", "'s", "\u2019s"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,9 +198,9 @@ def _with_noun(document: Document, which: _Specified) -> Iterator[Told]:
 def _carrier(document: Document, found: Alternative) -> int:
     """The word that carries an unsaid verb: that by which the phrase serves ("a fig will *do*"), else its preposition,
     else its head."""
-    for i in found.praise:
-        if document.tokens[i].lemma in _SERVING or document.tokens[i].lower in _IS:
-            return i
+    for token in (document.tokens[i] for i in found.praise):
+        if not _SERVING.isdisjoint((token.lemma, token.lower)):
+            return token.i
     words = found.tokens
     return words.start if document.tokens[words.start].lower in PREPOSITIONS else head_of(document, words)
 

@@ -4,7 +4,18 @@ from __future__ import annotations
 
 import pytest
 
+from decomplex_bt.instruction import Instruction, Task
 from decomplex_bt.understanding.interpreter import Interpreter
+
+
+def repeating_the_first(instruction: Instruction, carrier: str, argument: str, flow: list[object]) -> Task:
+    """The one task without a verb of its own, which has the first one's; checks what carries it and what it is of."""
+    assert instruction.flow.to_json() == flow
+    (task,) = (task for task in instruction.tasks if task.repeats)
+    assert task.span.of(instruction.text) == carrier
+    assert instruction.verb_of(task).id == 1
+    assert argument in [found.value for found in task.arguments]
+    return task
 
 
 @pytest.mark.parametrize(
@@ -117,11 +128,7 @@ def test_an_unsaid_verb_is_carried_by_a_word_of_its_phrase(
     interpreter: Interpreter, text: str, carrier: str, argument: str, flow: list[object]
 ) -> None:
     instruction = interpreter.interpret(text)
-    assert instruction.flow.to_json() == flow
-    (task,) = (task for task in instruction.tasks if task.repeats)
-    assert task.span.of(text) == carrier
-    assert instruction.verb_of(task).id == 1
-    assert argument in [found.value for found in task.arguments]
+    task = repeating_the_first(instruction, carrier, argument, flow)
     assert all(found.span is None for found in task.arguments)
     starts = [task.span.start for task in instruction.tasks]
     assert starts == sorted(set(starts))
@@ -141,12 +148,7 @@ def test_an_unsaid_verb_is_carried_by_a_word_of_its_phrase(
 def test_what_serves_is_carried_by_the_verb_that_says_so(
     interpreter: Interpreter, text: str, carrier: str, argument: str, flow: list[object]
 ) -> None:
-    instruction = interpreter.interpret(text)
-    assert instruction.flow.to_json() == flow
-    (task,) = (task for task in instruction.tasks if task.repeats)
-    assert task.span.of(text) == carrier
-    assert instruction.verb_of(task).id == 1
-    assert argument in [found.value for found in task.arguments]
+    repeating_the_first(interpreter.interpret(text), carrier, argument, flow)
 
 
 @pytest.mark.parametrize(

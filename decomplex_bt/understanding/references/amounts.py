@@ -19,10 +19,10 @@ _DOZENS = frozenset((("a", "dozen"), ("half", "a", "dozen")))
 def is_amount(document: Document, tokens: range) -> bool:
     """Whether words only tell how many or how much: "*fewer than six*", "*a dozen*", "*half*"; not a number
     alone, which may as well be a name ("press *12*")."""
-    return is_half(document, tokens) or is_limited(document, tokens)
+    return is_half(document, tokens) or _is_limited(document, tokens)
 
 
-def is_limited(document: Document, tokens: range) -> bool:
+def _is_limited(document: Document, tokens: range) -> bool:
     """Whether words tell how many by a limit to a number, or by the dozen."""
     words = tuple(document.tokens[i].lower for i in tokens)
     return words in _DOZENS or (words[:-1] in _LIMITS and document.tokens[tokens.stop - 1].pos == "NUM")

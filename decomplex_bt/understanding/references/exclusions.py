@@ -29,6 +29,7 @@ from decomplex_bt.understanding.references.fitness import (
 from decomplex_bt.understanding.references.gapped import is_torn
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.offers import FILLING, is_filled_for, is_measured
+from decomplex_bt.understanding.references.ones import is_not_one
 from decomplex_bt.understanding.references.persons import is_lifeless, is_no_somebody, is_whence
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
@@ -56,7 +57,6 @@ from decomplex_bt.understanding.references.wholes import (
 from decomplex_bt.understanding.vocabulary import AIRED, ONES, PLACE_ADVERBS, TIMES_OF_DAY, WARMTH
 
 SOMEBODY = frozenset(("he", "him", "she", "her"))
-_INDEFINITE = frozenset(("a", "an", "another"))
 _SAYING = frozenset("say answer reply choose pick".split())
 MOVING = frozenset(("bringing", "taking", "placing"))
 ACTS = (
@@ -115,9 +115,7 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if gap.form == "own" and _is_some_person(context, candidate):
         return True  # "mine" and "Dad's" are things
-    if _is_single(context, gap, candidate) or _is_known_beside_any(context, gap, candidate):
-        return True
-    if _is_in_the_verb(context, gap, candidate) or _is_second_choice(context, gap, candidate):
+    if is_not_one(context, gap, candidate) or _is_in_the_verb(context, gap, candidate):
         return True
     if is_emptied(context, gap, candidate):
         return True
@@ -212,64 +210,12 @@ def _is_some_person(context: Context, candidate: Candidate) -> bool:
     return kind == "person" or (kind == "name" and first.tag != "DT")
 
 
-def _is_single(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is a single known thing, where a case asks of one of several that were named: "feed the
-    rabbits and clean *their hutch*, and if *one*'s ill, ..."."""
-    tokens = context.observed.document.tokens
-    is_asked = gap.form == "one" and len(gap.tokens) == 1 and gap.is_certain and gap.task.type == "check_state"
-    if not is_asked or tokens[candidate.head].tag != "NN" or tokens[candidate.tokens.start].tag not in ("DT", "PRP$"):
-        return False
-    is_known = tokens[candidate.tokens.start].lower not in ("a", "an")
-    named = (c for c in context.pool if c.type == "object" and not c.mention and c.tokens.stop <= gap.position)
-    return is_known and any(tokens[c.head].tag == "NNS" for c in named)
-
-
-def _is_known_beside_any(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is a known thing, where finding or having "one" is the case of an order that names any of a
-    kind as well: "put *the flowers* in a vase if you can find *one*"."""
-    document = context.observed.document
-    verb = document.indices(gap.task.span).start
-    is_found = gap.task.type in ("searching", "check_state") and verb < gap.position
-    first = document.tokens[gap.tokens.start].lower if gap.tokens else ""
-    is_any = gap.word == "one" and (len(gap.tokens) == 1 or first in _INDEFINITE)
-    if not is_any or not is_found or _is_indefinite(document, candidate):
-        return False
-    is_case = any(condition == gap.task.id for condition, _ in context.paths.get(candidate.owner, ()))
-    if not is_case or candidate.tokens.stop > verb:
-        return False
-    named = (c for c in context.pool if c.owner == candidate.owner and c.tokens.stop <= verb)
-    return any(_is_indefinite(document, c) for c in named)
-
-
-def _is_indefinite(document: Document, candidate: Candidate) -> bool:
-    return not candidate.mention and document.tokens[candidate.tokens.start].lower in _INDEFINITE
-
-
 def _is_in_the_verb(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a verb without an object says what it is done with, which is not what it is done to: "take *the hoover*
     up and hoover the landing"."""
     verb = context.lemmas[gap.task.id].split()[0]
     is_unsaid = (gap.type, gap.word, gap.task.type) == ("object", "", "change_state")
     return is_unsaid and context.observed.document.tokens[candidate.head].lemma == verb
-
-
-def _is_second_choice(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is only what is brought where the first cannot be, and "one" is meant in either case: "bring
-    me a coffee, or *a tea* if there's none, and take *one* to Ann"."""
-    number, path = candidate.owner, context.paths.get(candidate.owner, ())
-    if gap.form != "one" or len(gap.tokens) != 1 or not path or max(number, path[-1][0]) >= gap.task.id:
-        return False
-    case, side = path[-1]
-    if any(condition == case for condition, _ in context.paths.get(gap.task.id, ())):
-        return False
-    kind = candidate.type
-    return any(
-        other.id < min(number, case)
-        and other.type == candidate.task_type
-        and context.paths.get(other.id, ())[-1:] == ((case, "then" if side == "else" else "else"),)
-        and any(not c.mention for c in context.arguments(other.id, kind))
-        for other in context.tasks
-    )
 
 
 def _is_itself(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -292,10 +292,13 @@ def _is_put_away(document: Document, verb: int) -> bool:
 
 
 def _is_kept(document: Document, verb: int) -> bool:
-    """Whether something is kept, or somebody let or tucked in, which is nowhere in particular: "keep *the lid*", "let
-    the cat back *in*"."""
-    lemma = document.tokens[verb].lemma
-    return lemma in ("keep", "tuck") or (lemma == "let" and last_word(document, verb) == "in")
+    """Whether something is kept, or somebody let or tucked in, which is nowhere in particular: "keep *the lid*"."""
+    return document.tokens[verb].lemma in ("keep", "tuck") or is_let_through(document, verb)
+
+
+def is_let_through(document: Document, verb: int) -> bool:
+    """Whether somebody is let in or out, which is nowhere in particular: "let the cat back *in*"."""
+    return document.tokens[verb].lemma == "let" and last_word(document, verb) in ("in", "out")
 
 
 def last_word(document: Document, verb: int) -> str:

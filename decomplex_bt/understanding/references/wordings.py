@@ -157,8 +157,8 @@ def _is_one_of_known(document: Document, gap: Gap, candidate: Candidate) -> bool
 
 
 def _is_counted(document: Document, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a number alone, or one "of those", says how many are meant, and not all: "any buns left? Bring me *two*",
-    "if there are fresh buns, bring me *two of those*"; no "six" that is booth six."""
+    """Whether a number alone, with its limit, or one "of those", says how many are meant, and not all: "any buns left?
+    Bring me *two*", "if there are *fewer than six*", "bring me *two of those*"; no "six" that is booth six."""
     said = [document.tokens[i] for i in gap.tokens] if gap.form in ("count", "part") else []
     number = next((token for token in said if token.pos == "NUM" or token.lower == "dozen"), None)
     if number is None or number.lower in ("one", *candidate.text.lower().split()):
