@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import chain
@@ -15,6 +16,8 @@ BATCH = 16
 WARM_UP = 0.1
 MEAN_OF = 0.15
 """The last part of the steps, of whose weights the mean is taken."""
+TOLD = 20
+"""How often in all the progress is told."""
 
 
 class HasPieces(Protocol):
@@ -81,12 +84,11 @@ def fit(
         optimizer, lambda t: min(t / (WARM_UP * steps), max(0.0, (steps - t) / steps))
     )
     mean, step = AveragedModel(network), 0
+    began, since, told = time.monotonic(), 0.0, max(1, steps // TOLD)
     network.train()
-    for epoch in range(pace.epochs):
-        total = 0.0
+    for _ in range(pace.epochs):
         drawn = chain.from_iterable(rng.sample(list(found), count) for found, count in copies)
-        batches = _batches([*lessons.plain, *drawn], rng)
-        for batch in batches:
+        for batch in _batches([*lessons.plain, *drawn], rng):
             loss = loss_of(network, batch)
             optimizer.zero_grad()
             loss.backward()
@@ -96,10 +98,21 @@ def fit(
             step += 1
             if step > (1 - MEAN_OF) * steps:
                 mean.update_parameters(network)
-            total += float(loss.detach()) / len(batches)
-        progress(f"encoder {epoch + 1}/{pace.epochs}, loss {total:.2f}")
+            since += float(loss.detach()) / told
+            if step % told == 0:
+                left = (time.monotonic() - began) * (steps / step - 1) / 60
+                progress(f"encoder {step / steps:.0%}, loss {since:.2f}, about {left:.0f} minutes left")
+                since = 0.0
     network.load_state_dict(mean.module.state_dict())
     network.eval()
+
+
+def precision() -> Any:
+    """The context in which a network reads: bfloat16 where the processor has it, else single precision, since torch
+    then only imitates bfloat16, ten times slower."""
+    import torch
+
+    return torch.autocast("cpu", dtype=torch.bfloat16, enabled=torch.ops.mkldnn._is_mkldnn_bf16_supported())
 
 
 def _batches(samples: list[S], rng: random.Random) -> list[list[S]]:

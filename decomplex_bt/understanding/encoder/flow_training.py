@@ -18,7 +18,7 @@ from decomplex_bt.understanding.control_flow.clauses import clauses_of, wordings
 from decomplex_bt.understanding.control_flow.derivation import arcs_of
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.encoder.export import export
-from decomplex_bt.understanding.encoder.fitting import Lessons, Pace, fit, padded
+from decomplex_bt.understanding.encoder.fitting import Lessons, Pace, fit, padded, precision
 from decomplex_bt.understanding.encoder.flows import JUDGE_FILE, LABELS_FILE, NETWORK_FILE, pieces_of
 from decomplex_bt.understanding.encoder.pieces import Pieced, Pieces
 from decomplex_bt.understanding.encoder.pretrained import begin
@@ -52,8 +52,8 @@ def train_flow_network(
 ) -> None:
     """Fine-tunes the network, given tasks and arguments as annotated, and writes it with its labels to `folder`.
 
-    About 35 ms for each example and epoch on one core. The same data, seed and libraries give the same files. Raises
-    `TrainerMissingError`.
+    About 35 ms for each example and epoch on one core that has bfloat16, three times as long on others.
+    The same data, seed, libraries and kind of processor give the same files. Raises `TrainerMissingError`.
     """
     encoder, pretrained = begin(seed)
     from decomplex_bt.understanding.encoder.flow_network import FlowNetwork, FlowSizes
@@ -114,7 +114,7 @@ def _loss(network: Any, batch: Sequence[FlowSample]) -> Any:
     mask = torch.tensor([padded([1] * len(s.pieced.ids), width, 0) for s in batch])
     absent = torch.tensor([padded([0] * len(s.places), count, 1) for s in batch]).bool()
     wanted = [torch.tensor([padded(s.labels[i], count, IGNORED) for s in batch]) for i in range(3)]
-    with torch.autocast("cpu", dtype=torch.bfloat16):  # the heads stay in full precision
+    with precision():  # the heads stay in single precision
         vectors = network.read(ids, mask, torch.tensor([padded(s.places, count, 0) for s in batch]))
     settled = network.settle(vectors.float(), absent)
     scores = network.judge(settled, wanted[0].clamp(min=0), wanted[1].clamp(min=0), absent)

@@ -19,7 +19,7 @@ from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.coreference import choices_of
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.encoder.export import export
-from decomplex_bt.understanding.encoder.fitting import Lessons, Pace, fit, padded
+from decomplex_bt.understanding.encoder.fitting import Lessons, Pace, fit, padded, precision
 from decomplex_bt.understanding.encoder.labels import argument_labels, task_labels
 from decomplex_bt.understanding.encoder.model import ENCODER_FILE, HEADS_FILE, PIECES_FILE
 from decomplex_bt.understanding.encoder.pieces import Pieced, Pieces
@@ -59,8 +59,8 @@ def train_encoder(
 ) -> None:
     """Fine-tunes the encoder and writes it, its heads and its word pieces to `folder`.
 
-    About 30 ms for each example and epoch on one core. The same data, seed and libraries give the same files. Raises
-    `TrainerMissingError`.
+    About 30 ms for each example and epoch on one core that has bfloat16, three times as long on others.
+    The same data, seed, libraries and kind of processor give the same files. Raises `TrainerMissingError`.
     """
     encoder, pretrained = begin(seed)
     from decomplex_bt.understanding.encoder.network import Network, Sizes
@@ -146,7 +146,7 @@ def _loss(network: Any, batch: Sequence[Sample]) -> Any:
     width, tokens = max(len(s.pieced.ids) for s in batch), max(s.tokens for s in batch)
     ids = torch.tensor([padded(s.pieced.ids, width, 0) for s in batch])
     mask = torch.tensor([padded([1] * len(s.pieced.ids), width, 0) for s in batch])
-    with torch.autocast("cpu", dtype=torch.bfloat16):  # the heads stay in full precision
+    with precision():  # the heads stay in single precision
         vectors = network.encode(ids, mask, torch.tensor([padded(s.pieced.firsts, tokens, 0) for s in batch]))
     vectors = vectors.float()
     wanted = torch.tensor([padded(s.tasks, tokens, IGNORED) for s in batch])
