@@ -44,15 +44,19 @@ def action(env, interaction=Interaction.NONE, target="robot", drive=(0.0, 0.0)):
 
 
 def rollout(env, steps, seed=1):
+    """What random steps give, up to the episode's end: a drawn instruction may be as short as to leave a room."""
     rng = np.random.default_rng(seed)
     for _ in range(steps):
-        yield env.step(
+        step = env.step(
             {
                 "drive": rng.uniform(-1, 1, 2).astype(np.float32),
                 "interact": int(rng.integers(12)),
                 "target": int(rng.integers(len(env.entities))),
             }
         )
+        yield step
+        if step[2] or step[3]:
+            return
 
 
 @pytest.mark.parametrize("identity", [HOUSEHOLD, HOUSEHOLD_FLAT])
