@@ -47,15 +47,14 @@ def rollout(env, steps, seed=1):
     """What random steps give, up to the episode's end: a drawn instruction may be as short as to leave a room."""
     rng = np.random.default_rng(seed)
     for _ in range(steps):
-        step = env.step(
-            {
-                "drive": rng.uniform(-1, 1, 2).astype(np.float32),
-                "interact": int(rng.integers(12)),
-                "target": int(rng.integers(len(env.entities))),
-            }
-        )
+        chosen = {
+            "drive": rng.uniform(-1, 1, 2).astype(np.float32),
+            "interact": int(rng.integers(12)),
+            "target": int(rng.integers(len(env.entities))),
+        }
+        _, _, terminated, truncated, _ = step = env.step(chosen)
         yield step
-        if step[2] or step[3]:
+        if terminated or truncated:
             return
 
 

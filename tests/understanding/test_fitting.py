@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from decomplex_bt.understanding.encoder.fitting import Lessons, Pace, fit, precision
+from decomplex_bt.understanding.encoder.fitting import REPORTS, Lessons, Pace, fit, precision
 from decomplex_bt.understanding.encoder.pieces import Pieced
 
 torch = pytest.importorskip("torch")
@@ -51,9 +51,9 @@ def test_the_same_seed_gives_the_same_weights():
 
 def test_what_is_told_goes_to_the_end_and_the_loss_falls():
     told = fitted()[1]
-    assert len(told) == 22, "of 45 steps every other one"
-    assert told[0].startswith("encoder 4%, loss ")
-    assert told[-1].startswith("encoder 98%, loss ")
+    assert len(told) == REPORTS
+    assert told[0].startswith("encoder 7%, loss "), "three of 45 steps"
+    assert told[-1].startswith("encoder 100%, loss ")
     assert told[-1].endswith("about 0 minutes left")
     losses = [float(line.split("loss ")[1].split(",")[0]) for line in told]
     assert losses[-1] < losses[0] / 4

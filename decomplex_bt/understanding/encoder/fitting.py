@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import chain
+from statistics import fmean
 from typing import Any, Generic, Protocol, TypeVar
 
 from decomplex_bt.understanding.encoder.pieces import Pieced
@@ -16,8 +17,8 @@ BATCH = 16
 WARM_UP = 0.1
 MEAN_OF = 0.15
 """The last part of the steps, of whose weights the mean is taken."""
-TOLD = 20
-"""How often in all the progress is told."""
+REPORTS = 20
+"""How often in all who waits is told how far it is."""
 
 
 class HasPieces(Protocol):
@@ -84,7 +85,7 @@ def fit(
         optimizer, lambda t: min(t / (WARM_UP * steps), max(0.0, (steps - t) / steps))
     )
     mean, step = AveragedModel(network), 0
-    began, since, told = time.monotonic(), 0.0, max(1, steps // TOLD)
+    began, losses = time.monotonic(), list[float]()
     network.train()
     for _ in range(pace.epochs):
         drawn = chain.from_iterable(rng.sample(list(found), count) for found, count in copies)
@@ -98,11 +99,11 @@ def fit(
             step += 1
             if step > (1 - MEAN_OF) * steps:
                 mean.update_parameters(network)
-            since += float(loss.detach()) / told
-            if step % told == 0:
+            losses.append(float(loss.detach()))
+            if step * REPORTS // steps > (step - 1) * REPORTS // steps:
                 left = (time.monotonic() - began) * (steps / step - 1) / 60
-                progress(f"encoder {step / steps:.0%}, loss {since:.2f}, about {left:.0f} minutes left")
-                since = 0.0
+                progress(f"encoder {step / steps:.0%}, loss {fmean(losses):.2f}, about {left:.0f} minutes left")
+                losses.clear()
     network.load_state_dict(mean.module.state_dict())
     network.eval()
 
