@@ -18,6 +18,12 @@ def train(
     corpus: CorpusOption = None,
     output: OutputOption = None,
     encoder: Annotated[bool, typer.Option("--encoder", help="The encoder instead; needs the extra `train`.")] = False,
+    base: Annotated[
+        Path | None,
+        typer.Option(
+            "--from", help="A folder with a trained encoder to go on from.", show_default="the pretrained one"
+        ),
+    ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace models that exist already.")] = False,
     jobs: JobsOption = 1,
     format: FormatOption = None,
@@ -39,6 +45,7 @@ def train(
         output,
         domain=domain_of(domain),
         encoder=encoder,
+        base=base,
         force=force,
         jobs=jobs,
         progress=lambda stage: remark(f"{stage} ..."),

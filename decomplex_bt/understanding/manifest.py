@@ -30,8 +30,8 @@ class ModelEntry(Record):
 
 class Manifest(Record):
     """`manifest.json`. `files`: SHA-256 of what is no CRF; `corpus`: SHA-256 over the training voices' files;
-    `libraries`: versions the models were made with; `language_model`: the spaCy model whose tags the features came
-    from."""
+    `base`: SHA-256 of the manifest of the models that training went on from; `libraries`: versions the models were made
+    with; `language_model`: the spaCy model whose tags the features came from."""
 
     format: int
     features_version: int
@@ -39,6 +39,7 @@ class Manifest(Record):
     corpus: str
     voices: tuple[str, ...]
     examples: int
+    base: str | None = None
     language_model: str
     libraries: dict[str, str]
     models: dict[str, ModelEntry]
@@ -52,6 +53,7 @@ def write_manifest(
     corpus: str,
     voices: Sequence[str],
     examples: int,
+    base: str | None = None,
     language_model: str,
     libraries: Sequence[str] = LIBRARIES,
 ) -> None:
@@ -63,10 +65,11 @@ def write_manifest(
         corpus=corpus,
         voices=tuple(voices),
         examples=examples,
+        base=base,
         language_model=language_model,
         libraries={name: version(name) for name in libraries},
         models={path.stem: _entry(path) for path in sorted(folder.glob("*.crf"))},
-        files={name: _sha256(folder / name) for name in _others(folder)},
+        files={name: file_hash(folder / name) for name in _others(folder)},
     )
     (folder / MANIFEST_FILE).write_text(manifest.model_dump_json(indent=1) + "\n", encoding="utf-8")
 
@@ -140,7 +143,7 @@ def _check_files(folder: Path, manifest: Manifest, models: Sequence[str], files:
         path = folder / name
         if name not in known or not path.is_file():
             raise ModelError(path, "the model is missing")
-        if _sha256(path) != known[name]:
+        if file_hash(path) != known[name]:
             raise ModelError(path, "the model is not the one in the manifest (damaged?)")
 
 
@@ -153,8 +156,8 @@ def corpus_hash(files: Mapping[str, bytes]) -> str:
 
 
 def _entry(path: Path) -> ModelEntry:
-    return ModelEntry(sha256=_sha256(path), labels=Crf(path).labels)
+    return ModelEntry(sha256=file_hash(path), labels=Crf(path).labels)
 
 
-def _sha256(path: Path) -> str:
+def file_hash(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()

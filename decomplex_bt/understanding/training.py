@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from decomplex_bt.corpus import Example, read_corpus, read_voices
+from decomplex_bt.corpus import Example, Split, read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Instruction
@@ -26,7 +26,14 @@ from decomplex_bt.understanding.disturbances import DISTURBANCES, with_fillers
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.manifest import LIBRARIES, MANIFEST_FILE, corpus_hash, write_manifest
+from decomplex_bt.understanding.manifest import (
+    LIBRARIES,
+    MANIFEST_FILE,
+    check_models,
+    corpus_hash,
+    file_hash,
+    write_manifest,
+)
 from decomplex_bt.understanding.noise import edited, without_apostrophes, without_punctuation
 from decomplex_bt.understanding.readings import (
     Reading,
@@ -47,6 +54,9 @@ EDITS = (without_punctuation, without_apostrophes)
 
 DISTURBED = ("typing slips", "speech recogniser")
 """The disturbances in copies that the encoder alone is trained on."""
+
+MOST_AGAIN = 4
+"""How many known examples are kept for each new one, where training goes on: more than all epochs see are of no use."""
 
 KEPT = 3
 """One voice in so many is read by models that never saw it, to learn the choice among readings."""
@@ -75,6 +85,7 @@ def train(
     *,
     domain: str | Path | Domain = "household",
     encoder: bool = False,
+    base: Path | None = None,
     force: bool = False,
     jobs: int = 1,
     progress: Progress = lambda stage: None,
@@ -84,26 +95,41 @@ def train(
     `corpus` and `output` default to the domain's own folders. Models that lie there already are replaced only with
     `force`, but for the domain's own when they are made anew from its own corpus. `encoder`: trains the pretrained
     encoder instead, on the voices of "train", with those of "development" for the choice among readings, into the
-    folder `encoder` of `output`; an hour and a quarter on two cores. `jobs`: parts that need nothing of each other
-    run in as many processes (two at most), -1 for one a core. The test voices are never read.
-    No model is written unless all were trained. The same corpus and libraries give the same files, with any number of
-    jobs. Raises `DataFileError`, `TrainerMissingError` where the extra `train` is not installed, and, before anything
-    is trained, `InputError` where the models would replace others or cannot be written.
+    folder `encoder` of `output`; an hour and a quarter on two cores. `base`: a folder with a trained encoder to go on
+    from, which learns the voices that it does not know and sees some of the domain's own that it knows again. `jobs`:
+    parts that need nothing of each other run in as many processes (two at most), -1 for one a core. The test voices are
+    never read.
+    No model is written unless all were trained. The same corpus, `base` and libraries give the same files, with any
+    number of jobs. Raises `DataFileError`, `TrainerMissingError` where the extra `train` is not installed, and, before
+    anything is trained, `InputError` where the models would replace others or cannot be written, or where `base` knows
+    all voices.
     """
     loaded = domain if isinstance(domain, Domain) else load_domain(domain)
     own_corpus, own_models = loaded.folder / "corpus", loaded.folder / "models"
     corpus, output = corpus or own_corpus, output or own_models
     target = output / ENCODER_FOLDER if encoder else output
-    is_renewed = corpus.resolve() == own_corpus and output.resolve() == own_models
-    splits = {name: voice.split for name, voice in read_voices(corpus).items() if voice.split != "test"}
+    is_own = corpus.resolve() == own_corpus.resolve()
+    is_renewed = is_own and output.resolve() == own_models.resolve()
+    splits: dict[str, Split] = {name: v.split for name, v in read_voices(corpus).items() if v.split != "test"}
     files = {f"{name}.yaml": (corpus / f"{name}.yaml").read_bytes() for name in splits}
     examples = [e for name in splits for e in read_corpus(corpus / f"{name}.yaml", loaded.ontology)]
+    known = set[str]()
+    if base is not None:
+        if not encoder:
+            raise InputError(f"nothing but the encoder goes on from trained models; leave {base} out, or add --encoder")
+        from decomplex_bt.understanding.encoder.stages import FOLDER_FILES
+
+        known = set(check_models(base, loaded, models=(), files=FOLDER_FILES).voices)
+        if not is_own:
+            splits, examples = _with_own(splits, examples, known, own_corpus, loaded)
+        if all(name in known for name, split in splits.items() if split == "train"):
+            raise InputError(f"the encoder in {base} knows every training voice of {corpus}; add one, or train anew")
     parser = Parser()
     with _scratch_in(output, target, may_replace=force or is_renewed) as folder:
         if encoder:
             for_choice = {name for name, split in splits.items() if split == "development"}
             left_out, held_out = train_with_encoder(
-                folder, examples, for_choice, loaded, parser, jobs=jobs, progress=progress
+                folder, examples, for_choice, loaded, parser, base=base, known=known, jobs=jobs, progress=progress
             )
         else:
             left_out, held_out = train_models(folder, examples, loaded, parser, jobs=jobs, progress=progress)
@@ -113,11 +139,24 @@ def train(
             corpus=corpus_hash(files),
             voices=tuple(splits),
             examples=len(examples),
+            base=None if base is None else file_hash(base / MANIFEST_FILE),
             language_model=parser.model_name,
             libraries=(*LIBRARIES, "torch", "onnxruntime") if encoder else LIBRARIES,
         )
         _put_in_place(folder, target)
     return TrainingReport(tuple(splits), len(examples), left_out, target, held_out)
+
+
+def _with_own(
+    splits: Mapping[str, Split], examples: Sequence[Example], known: Container[str], own_corpus: Path, domain: Domain
+) -> tuple[dict[str, Split], list[Example]]:
+    """Another corpus with what is known of the domain's own behind it. Raises `InputError` where a voice is in both."""
+    own = read_voices(own_corpus)
+    if both := sorted(splits.keys() & own.keys()):
+        raise InputError(f"{both[0]!r} is a voice of the domain's own corpus, too; give yours another name")
+    taken = {name: voice.split for name, voice in own.items() if voice.split != "test" and name in known}
+    others = [e for name in taken for e in read_corpus(own_corpus / f"{name}.yaml", domain.ontology)]
+    return {**splits, **taken}, [*examples, *others]
 
 
 @contextmanager
@@ -183,12 +222,15 @@ def train_with_encoder(
     domain: Domain,
     parser: Parser,
     *,
+    base: Path | None = None,
+    known: Container[str] = (),
     jobs: int = 1,
     progress: Progress = lambda stage: None,
 ) -> tuple[int, Mapping[str, tuple[int, int]]]:
     """Trains the encoder and the flow network into `folder`; the voices in `for_choice` only teach the choice among
-    readings and its confidence. Gives what `train_models` does."""
-    from joblib import Parallel, delayed
+    readings and its confidence. `base`: a folder with trained ones to go on from, which have learnt from the voices in
+    `known`. Gives what `train_models` does."""
+    from joblib import delayed
 
     from decomplex_bt.understanding.encoder.fitting import Lessons
     from decomplex_bt.understanding.encoder.flow_training import train_flow_network
@@ -197,31 +239,36 @@ def train_with_encoder(
     from decomplex_bt.understanding.encoder.stages import encoder_stages
     from decomplex_bt.understanding.encoder.training import train_encoder
 
-    data = _corpus(examples, domain, parser, progress)
+    fresh = [e for e in examples if e.voice in for_choice or e.voice not in known]
+    seen = [e.instruction for e in examples if e.voice not in for_choice and e.voice in known]
+    most = MOST_AGAIN * sum(e.voice not in for_choice for e in fresh)
+    if len(seen) > most:
+        seen = [seen[i] for i in sorted(np.random.default_rng(0).choice(len(seen), most, replace=False))]
+    data = _corpus(fresh, domain, parser, progress)
     learnt = data.only([voice not in for_choice for voice in data.voices])
     kept = data.only([voice in for_choice for voice in data.voices])
+    again = observe(seen, parser, Gazetteer.of(domain.lexicon, domain.kinds))
     disturbed = _disturbed(learnt.plain, domain, parser)
     recombinations = _recombinations(learnt.plain, domain, parser)
     noised = [*chain.from_iterable(learnt.noised), *learnt.filled, *disturbed]
     for_flow = [*learnt.for_flow()[len(learnt.plain) :], *disturbed]
-    networks = (
-        (train_encoder, Lessons(learnt.plain, noised, recombinations)),
-        (train_flow_network, Lessons(learnt.plain, for_flow, recombinations)),
-    )
-    Parallel(n_jobs=jobs)(
-        delayed(fitted)(folder, lessons, domain.ontology, progress=progress) for fitted, lessons in networks
-    )
-    model = EncoderModel(folder)
     with tempfile.TemporaryDirectory() as scratch:  # models that, like the encoder, never saw the voices kept back
-        progress("flow")
-        left_out = train_flow(Path(scratch), [*learnt.for_flow(), *recombinations])
+        calls = (
+            delayed(fitted)(folder, lessons, domain.ontology, base=base, progress=progress)
+            for fitted, lessons in (
+                (train_encoder, Lessons(learnt.plain, noised, recombinations, again)),
+                (train_flow_network, Lessons(learnt.plain, for_flow, recombinations, again)),
+            )
+        )
+        flow = delayed(train_flow)(Path(scratch), [*learnt.for_flow(), *again, *recombinations])
+        path = Path(scratch) / REFERENCES_FILE
+        references = delayed(train_references)(path, [*learnt.plain, *again], domain.ontology)
+        *_, left_out, _ = results(chain(calls, (flow, references)), jobs)
+        model = EncoderModel(folder)
         progress("readings")
         stages = encoder_stages(folder, model, FlowModel(Path(scratch)), domain.ontology)
         held_out = _train_choice(folder, list(_held(kept, stages, domain)))
-        progress("references")
-        train_references(Path(scratch) / REFERENCES_FILE, learnt.plain, domain.ontology)
-        references = ReferenceModel(Path(scratch) / REFERENCES_FILE, domain.ontology)
-        train_share(folder, model, references, kept.plain, domain.ontology)
+        train_share(folder, model, ReferenceModel(path, domain.ontology), kept.plain, domain.ontology)
     return left_out, held_out
 
 

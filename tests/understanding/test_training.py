@@ -7,8 +7,9 @@ import pytest
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import DataFileError, InputError
 from decomplex_bt.understanding import manifest, training
+from decomplex_bt.understanding.encoder.stages import FOLDER_FILES
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.manifest import read_manifest
+from decomplex_bt.understanding.manifest import file_hash, read_manifest, write_manifest
 from decomplex_bt.understanding.training import train
 
 
@@ -81,6 +82,46 @@ def test_models_are_replaced_by_those_of_another_corpus_only_by_force(
     assert len(untaught) == 2
     assert (models / "manifest.json").read_bytes() == before
     assert train(small_corpus, domain=tmp_path / "own", encoder=encoder, force=True).folder == models
+
+
+@pytest.fixture
+def base(tmp_path):
+    """A folder that passes for an encoder that knows a training and a development voice of the domain's own corpus."""
+    folder = tmp_path / "base"
+    folder.mkdir()
+    for name in FOLDER_FILES:
+        (folder / name).write_text(name, encoding="utf-8")
+    known = {"corpus": "", "voices": ("bex", "walt"), "examples": 2, "language_model": "none", "libraries": ()}
+    write_manifest(folder, load_domain("household"), **known)
+    return folder
+
+
+def test_training_goes_on_with_the_known_voices_of_the_domain_beside_new_ones(small_corpus, base, tmp_path, untaught):
+    report = train(small_corpus, tmp_path / "models", encoder=True, base=base)
+    assert report.voices == ("learn", "bex", "walt")
+    assert {example.voice for example in untaught[0]} == {"learn", "walt", "bex"}
+    written = read_manifest(report.folder)
+    assert written.base == file_hash(base / "manifest.json")
+    assert written.voices == ("learn", "bex", "walt")
+
+
+def test_training_does_not_go_on_where_nothing_is_new_or_names_clash(small_corpus, base, tmp_path, untaught):
+    def go_on(**options):
+        train(small_corpus, tmp_path / "models", **{"encoder": True, "base": base, **options})
+
+    with pytest.raises(InputError, match=r"nothing but the encoder goes on .*; leave .*base out, or add --encoder"):
+        go_on(encoder=False)
+    with pytest.raises(DataFileError, match=r"manifest\.json"):
+        go_on(base=tmp_path)
+    voices = small_corpus / "voices.yaml"
+    voices.write_text("voices:\n  keep: {description: b, split: test}\n", encoding="utf-8")
+    with pytest.raises(InputError, match=r"base knows every training voice of .*corpus; add one"):
+        go_on()
+    shutil.copyfile(small_corpus / "learn.yaml", small_corpus / "walt.yaml")
+    voices.write_text("voices:\n  walt: {description: b, split: train}\n", encoding="utf-8")
+    with pytest.raises(InputError, match="'walt' is a voice of the domain's own corpus, too; give yours another name"):
+        go_on()
+    assert not untaught
 
 
 @pytest.mark.parametrize("place", ["a file", "a file/within", "/proc/models", "n" * 300])

@@ -37,23 +37,26 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, slots=True)
 class Lessons(Generic[T]):
-    """What a network learns from: examples as they are, noised copies of them, and recombined ones."""
+    """What a network learns from: examples as they are, noised copies of them, and recombined ones; `known`: examples
+    it has learnt from before, lest it forget them."""
 
     plain: Sequence[T]
     noised: Sequence[T]
     recombined: Sequence[T]
+    known: Sequence[T] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Pace:
-    """How a network learns. `noised`, `recombined`: how many of these copies an epoch sees for each plain example; the
-    rates are the highest ones, of the pretrained encoder and of all else."""
+    """How a network learns. `noised`, `recombined`, `known`: how many of these an epoch sees for each plain example,
+    drawn anew each time; the rates are the highest ones, of the pretrained encoder and of all else."""
 
     epochs: int
     noised: float
     recombined: float
     encoder_rate: float
     heads_rate: float
+    known: float = 0.0
 
 
 def fit(
@@ -78,7 +81,11 @@ def fit(
     )
     copies = [
         (found, min(len(found), int(share * len(lessons.plain))))
-        for found, share in ((lessons.noised, pace.noised), (lessons.recombined, pace.recombined))
+        for found, share in (
+            (lessons.noised, pace.noised),
+            (lessons.recombined, pace.recombined),
+            (lessons.known, pace.known),
+        )
     ]
     steps = pace.epochs * math.ceil((len(lessons.plain) + sum(count for _, count in copies)) / BATCH)
     schedule = torch.optim.lr_scheduler.LambdaLR(

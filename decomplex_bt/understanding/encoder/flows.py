@@ -7,7 +7,7 @@ import json
 from collections.abc import Sequence
 from math import exp, prod, sqrt
 from pathlib import Path
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -53,6 +53,24 @@ def pieces_of(document: Document, tasks: Sequence[MarkedTask], pieces: Pieces, t
     return pieced if len(pieced.ids) < MAX_PIECES else None
 
 
+class Labels(NamedTuple):
+    """The labels that a flow network tells, in the order of its outputs."""
+
+    roles: tuple[str, ...]
+    attachments: tuple[str, ...]
+    orders: tuple[str, ...]
+
+
+def read_labels(folder: Path) -> Labels:
+    """Those of the network in a folder. Raises `DataFileError`."""
+    path = folder / LABELS_FILE
+    try:
+        stored = json.loads(path.read_text(encoding="utf-8"))
+        return Labels(*(tuple(map(str, stored[name])) for name in Labels._fields))
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise ModelError(path, f"no labels of flows ({type(error).__name__})") from None
+
+
 class FlowNetworkModel:
     """A trained flow network, from a folder. Raises `EncoderMissingError` and `DataFileError`."""
 
@@ -60,14 +78,7 @@ class FlowNetworkModel:
         self._reader, self._judge = open_session(folder / NETWORK_FILE), open_session(folder / JUDGE_FILE)
         self._partly = partial_run()
         self._pieces, self._types = pieces, sorted(ontology.task_types)
-        path = folder / LABELS_FILE
-        try:
-            stored = json.loads(path.read_text(encoding="utf-8"))
-            self.roles, self.attachments, self.orders = (
-                tuple(map(str, stored[name])) for name in ("roles", "attachments", "orders")
-            )
-        except (OSError, ValueError, KeyError, TypeError) as error:
-            raise ModelError(path, f"no labels of flows ({type(error).__name__})") from None
+        self.roles, self.attachments, self.orders = read_labels(folder)
 
     def read(self, document: Document, tasks: Sequence[MarkedTask]) -> Array | None:
         """The vectors of tasks, (1, tasks, size); None where the text is too long."""

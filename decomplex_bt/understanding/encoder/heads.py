@@ -26,7 +26,7 @@ class Heads:
     def __init__(self, path: Path) -> None:
         try:
             with np.load(path, allow_pickle=False) as stored:
-                self._weights = {name: stored[name].astype(np.float32) for name in stored.files}
+                self.weights = {name: stored[name].astype(np.float32) for name in stored.files}
         except (OSError, ValueError) as error:
             raise ModelError(path, f"no weights of the encoder ({error})") from None
 
@@ -36,7 +36,7 @@ class Heads:
 
     def typed(self, vectors: Array, types: Sequence[int]) -> Array:
         """The vectors with an embedding of each token's task label behind them."""
-        return np.concatenate([vectors, self._weights["ttype.weight"][list(types)]], axis=1)
+        return np.concatenate([vectors, self.weights["ttype.weight"][list(types)]], axis=1)
 
     def arguments(self, typed: Array) -> Array:
         """(tokens, argument labels)."""
@@ -55,13 +55,13 @@ class Heads:
         return self._biaffine("refer", typed[[gap]], typed[list(anchors)], offsets)[0, :, 0]
 
     def _linear(self, name: str, x: Array) -> Array:
-        return _product(x, self._weights[f"{name}.weight"].T) + self._weights[f"{name}.bias"]
+        return _product(x, self.weights[f"{name}.weight"].T) + self.weights[f"{name}.bias"]
 
     def _biaffine(self, name: str, x: Array, y: Array, offsets: Array) -> Array:
         a, b = _with_one(_gelu(self._linear(f"{name}.a", x))), _with_one(_gelu(self._linear(f"{name}.b", y)))
-        scores = a @ self._weights[f"{name}.u"] @ b.T  # (labels, x, y)
+        scores = a @ self.weights[f"{name}.u"] @ b.T  # (labels, x, y)
         distances = np.clip(offsets, -FARTHEST, FARTHEST) + FARTHEST
-        return np.moveaxis(scores, 0, -1) + self._weights[f"{name}.dist.weight"][distances]
+        return np.moveaxis(scores, 0, -1) + self.weights[f"{name}.dist.weight"][distances]
 
 
 def _product(x: Array, y: Array) -> Array:

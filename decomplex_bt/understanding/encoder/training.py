@@ -17,9 +17,11 @@ import numpy as np
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.coreference import choices_of
+from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.dependencies import marked_tasks
-from decomplex_bt.understanding.encoder.export import export
+from decomplex_bt.understanding.encoder.export import export, weights_of
 from decomplex_bt.understanding.encoder.fitting import Lessons, Pace, fit, padded, precision
+from decomplex_bt.understanding.encoder.heads import Heads
 from decomplex_bt.understanding.encoder.labels import argument_labels, task_labels
 from decomplex_bt.understanding.encoder.model import ENCODER_FILE, HEADS_FILE, PIECES_FILE
 from decomplex_bt.understanding.encoder.pieces import Pieced, Pieces
@@ -27,6 +29,8 @@ from decomplex_bt.understanding.encoder.pretrained import begin
 from decomplex_bt.understanding.features import Observed
 
 PACE = Pace(epochs=4, noised=0.4, recombined=0.2, encoder_rate=1e-4, heads_rate=1e-3)
+FURTHER = Pace(epochs=4, noised=0.4, recombined=0.2, known=1.0, encoder_rate=8e-5, heads_rate=5e-4)
+"""For a network that goes on from a trained one."""
 LABEL_WEIGHT = 0.5
 """How much the loss of argument labels and owners counts beside that of tasks."""
 
@@ -53,11 +57,13 @@ def train_encoder(
     lessons: Lessons[Pair],
     ontology: Ontology,
     *,
-    pace: Pace = PACE,
+    base: Path | None = None,
+    pace: Pace | None = None,
     seed: int = 0,
     progress: Callable[[str], None] = lambda stage: None,
 ) -> None:
-    """Fine-tunes the encoder and writes it, its heads and its word pieces to `folder`.
+    """Fine-tunes the encoder and writes it, its heads and its word pieces to `folder`. `base`: a folder with a trained
+    one to go on from.
 
     About 30 ms for each example and epoch on one core that has bfloat16, three times as long on others.
     The same data, seed, libraries and kind of processor give the same files. Raises `TrainerMissingError`.
@@ -70,6 +76,7 @@ def train_encoder(
         [coder.sample(*pair, with_references=True) for pair in lessons.plain],
         [coder.sample(*pair) for pair in lessons.noised],
         [coder.sample(*pair) for pair in lessons.recombined],
+        [coder.sample(*pair, with_references=True) for pair in lessons.known],
     )
     sizes = Sizes(
         encoder=encoder.config.hidden_size,
@@ -77,7 +84,9 @@ def train_encoder(
         argument_labels=len(coder.argument_labels),
     )
     network = Network(encoder, sizes)
-    fit(network, samples, _loss, pace, random.Random(seed), progress)
+    if base is not None:
+        _load(network, base)
+    fit(network, samples, _loss, pace or (PACE if base is None else FURTHER), random.Random(seed), progress)
     _export(network.encoder, folder)
     shutil.copyfile(pretrained / "tokenizer.json", folder / PIECES_FILE)
     weights: dict[str, Any] = {name: value.numpy().astype(np.float16) for name, value in network.heads().items()}
@@ -175,6 +184,17 @@ def _loss(network: Any, batch: Sequence[Sample]) -> Any:
             fits = torch.logsumexp(scores[torch.tensor(right)], 0)
             loss = loss + LABEL_WEIGHT * (torch.logsumexp(scores, 0) - fits)
     return loss / len(batch)
+
+
+def _load(network: Any, base: Path) -> None:
+    """Gives a network the weights of a trained one. Raises `DataFileError` where its labels are others."""
+    import torch
+
+    weights = weights_of(base / ENCODER_FILE) | Heads(base / HEADS_FILE).weights
+    try:
+        network.load_state_dict({name: torch.tensor(value) for name, value in weights.items()})
+    except RuntimeError:
+        raise ModelError(base / HEADS_FILE, "the encoder was trained for another ontology") from None
 
 
 def _export(encoder: Any, folder: Path) -> None:
