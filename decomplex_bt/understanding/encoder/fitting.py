@@ -49,7 +49,8 @@ class Lessons(Generic[T]):
 @dataclass(frozen=True, slots=True)
 class Pace:
     """How a network learns. `noised`, `recombined`, `known`: how many of these an epoch sees for each plain example,
-    drawn anew each time; the rates are the highest ones, of the pretrained encoder and of all else."""
+    drawn anew each time; the rates are the highest ones, of the pretrained encoder and of all else; `kept`: how much of
+    each weight stays as it was before."""
 
     epochs: int
     noised: float
@@ -57,6 +58,7 @@ class Pace:
     encoder_rate: float
     heads_rate: float
     known: float = 0.0
+    kept: float = 0.0
 
 
 def fit(
@@ -68,7 +70,8 @@ def fit(
     progress: Callable[[str], None],
 ) -> None:
     """Fits a torch network, whose pretrained part is its `encoder`, by AdamW; its weights become the mean of the last
-    ones, the chance of single batches evened out."""
+    ones, the chance of single batches evened out, and, as far as they are `kept`, of those before (Wortsman et al.,
+    "Robust fine-tuning of zero-shot models", 2022): what is new is learnt nearly as well, and less is forgotten."""
     import torch
     from torch.optim.swa_utils import AveragedModel
 
@@ -91,6 +94,7 @@ def fit(
     schedule = torch.optim.lr_scheduler.LambdaLR(
         optimizer, lambda t: min(t / (WARM_UP * steps), max(0.0, (steps - t) / steps))
     )
+    before = {name: value.clone() for name, value in network.state_dict().items()}
     mean, step = AveragedModel(network), 0
     began, losses = time.monotonic(), list[float]()
     network.train()
@@ -111,7 +115,9 @@ def fit(
                 left = (time.monotonic() - began) * (steps / step - 1) / 60
                 progress(f"encoder {step / steps:.0%}, loss {fmean(losses):.2f}, about {left:.0f} minutes left")
                 losses.clear()
-    network.load_state_dict(mean.module.state_dict())
+    network.load_state_dict(
+        {name: before[name].lerp(value, 1 - pace.kept) for name, value in mean.module.state_dict().items()}
+    )
     network.eval()
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from math import exp, prod, sqrt
+from math import exp, prod
 from pathlib import Path
 from typing import Literal, NamedTuple
 
@@ -42,6 +42,8 @@ MAX_VARIED_PLACES = 3
 MAX_ROLES, MAX_ATTACHMENTS = 4, 6
 """How many ways to tell the roles are read on, and of all ways to attach the tasks then."""
 LEAST = 1e-12
+SHARE = 0.25
+"""How much the CRFs count beside the network, which has learnt more: the weight of their logarithms in the mean."""
 
 Label = Literal["role", "attachment", "order"]
 
@@ -106,7 +108,7 @@ class FlowNetworkModel:
 
 
 class EncoderFlows:
-    """Control flows by the CRFs and the network: their probabilities are the geometric means of both."""
+    """Control flows by the CRFs and the network: their probabilities are the weighted geometric means of both."""
 
     def __init__(self, crfs: FlowModel, network: FlowNetworkModel) -> None:
         self._crfs, self._network = crfs, network
@@ -145,7 +147,7 @@ class EncoderFlows:
 
 
 def _ways(crf: Crf, items: Sequence[Features], table: Array, names: Sequence[str]) -> list[Varied]:
-    """The labels of a sequence that the CRF or the network finds likely, by the geometric mean of both, best first.
+    """The labels of a sequence that the CRF or the network finds likely, by their weighted geometric mean, best first.
 
     `table`: the network's log probabilities (tasks, labels).
     """
@@ -154,7 +156,8 @@ def _ways(crf: Crf, items: Sequence[Features], table: Array, names: Sequence[str
         if labels not in found and set(labels) <= set(crf.labels):
             found[labels] = crf.probability(labels)
     ways = [
-        Varied(labels, sqrt(max(LEAST, chance) * _chance(table, names, labels))) for labels, chance in found.items()
+        Varied(labels, max(LEAST, chance) ** SHARE * _chance(table, names, labels) ** (1 - SHARE))
+        for labels, chance in found.items()
     ]
     return sorted(ways, key=lambda way: (-way.probability, way.labels))
 

@@ -29,7 +29,7 @@ from decomplex_bt.understanding.encoder.pretrained import begin
 from decomplex_bt.understanding.features import Observed
 
 PACE = Pace(epochs=4, noised=0.4, recombined=0.2, encoder_rate=1e-4, heads_rate=1e-3)
-FURTHER = Pace(epochs=4, noised=0.4, recombined=0.2, known=1.0, encoder_rate=8e-5, heads_rate=5e-4)
+FURTHER = Pace(epochs=4, noised=0.4, recombined=0.2, known=1.0, encoder_rate=8e-5, heads_rate=5e-4, kept=0.25)
 """For a network that goes on from a trained one."""
 LABEL_WEIGHT = 0.5
 """How much the loss of argument labels and owners counts beside that of tasks."""
