@@ -301,9 +301,11 @@ def _people(words: str, domain: Domain) -> str:
     lexicon = domain.lexicon
     for people in (*lexicon.anybody_words, *lexicon.everybody_words):
         said = words.removeprefix(f"{people} ")
+        if said == words:
+            continue
         preposition, place = split_preposition(said, domain)
         is_house = said in lexicon.presence_words and bool(preposition) and place not in ("", "there")
-        if said != words and (said == "else" or is_house):
+        if said == "else" or is_house:
             return people
     return words
 

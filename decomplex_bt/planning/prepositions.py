@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from decomplex_bt.domain.dialects import plain_words
@@ -22,13 +23,18 @@ def split_preposition(text: str, domain: Domain) -> tuple[str, str]:
 
 
 @lru_cache(maxsize=32)
-def _prepositions(domain: Domain) -> tuple[str, ...]:
-    return tuple(sorted(domain.lexicon.prepositions, key=lambda word: (-len(word.split()), word)))
+def _prepositions(domain: Domain) -> Mapping[str, Sequence[str]]:
+    """By the first word, the longest first."""
+    found: dict[str, list[str]] = {}
+    for preposition in sorted(domain.lexicon.prepositions, key=lambda words: (-len(words.split()), words)):
+        found.setdefault(preposition.partition(" ")[0], []).append(preposition)
+    return found
 
 
 def leading_preposition(words: str, domain: Domain) -> str:
     """The longest preposition that words in lower case begin with; "" where they begin with none."""
-    return next((word for word in _prepositions(domain) if words == word or words.startswith(word + " ")), "")
+    alike = _prepositions(domain).get(words.partition(" ")[0], ())
+    return next((word for word in alike if words == word or words.startswith(word + " ")), "")
 
 
 def normal_words(text: str) -> str:

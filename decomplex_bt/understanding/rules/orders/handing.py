@@ -22,6 +22,8 @@ _REGARDS = frozenset("compliment regard thanks thank love wish care hand finger 
 """What comes with a thing without being one."""
 _CARRIERS = frozenset("tray trolley cart basket bag wheelbarrow tongs glove lift elevator friend".split())
 """What a thing is carried with."""
+_WHOM = {"get": "object", "fetch": "object"} | dict.fromkeys(("bring", "give", "hand", "pass"), "recipient")
+"""What somebody is to these verbs where nothing else is named."""
 _SERVING = (_CARRYING - {"take"}) | {"carry"}
 _INDEFINITE = frozenset("a an some another".split())
 _PRONOUNS = frozenset(("it", "them", "this", "that"))
@@ -30,13 +32,17 @@ _MONEY = frozenset("bill fee fare rent money cash fine tip deposit toll charge p
 
 
 def called(document: Document, arguments: Sequence[FoundArgument], fetching: int) -> list[FoundArgument]:
-    """The arguments with who is fetched as the object where the order names nothing else: "if she cries, get *me*"."""
+    """The arguments with who is fetched as the object where the order names nothing else: "if she cries, get *me*"; of
+    what is brought or given to whom, nothing is said then: "bring *me*"."""
     whom, end = range(fetching + 1, fetching + 2), fetching + 2
     is_end = end >= len(document) or document.tokens[end].text in MARKS
     own = {a.type for a in arguments if a.owner == fetching and a.tokens != whom}
-    if document.tokens[fetching].lemma not in ("get", "fetch") or not is_end or "object" in own:
+    kind = _WHOM.get(document.tokens[fetching].lemma)
+    if kind is None or not is_end or own & {"object", kind}:
         return list(arguments)
-    return [replace(a, type="object") if (a.owner, a.tokens) == (fetching, whom) else a for a in arguments]
+    if kind == "recipient" and document.tokens[whom[0]].lower not in ("me", "us"):
+        return list(arguments)
+    return [replace(a, type=kind) if (a.owner, a.tokens) == (fetching, whom) else a for a in arguments]
 
 
 def fed(document: Document, arguments: Sequence[FoundArgument], feeding: int) -> list[FoundArgument]:
