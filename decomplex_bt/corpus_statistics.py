@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean, stdev
-from typing import Any
+from typing import Any, get_args
 
-from decomplex_bt.corpus import VOICES_FILE, Example, read_corpus, read_voices
+from decomplex_bt.corpus import VOICES_FILE, Example, Split, read_corpus, read_voices
 from decomplex_bt.corpus_structures import COMPLEX, STRUCTURES
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import DataFileError, ImpossibleGoalError, UnknownWordError
@@ -139,7 +139,7 @@ def corpus_statistics(path: Path, domain: Domain) -> CorpusStatistics:
     by_voice = _grouped(seen, lambda e: e.voice)
     return CorpusStatistics(
         _add([facts for _, facts in seen], domain, words),
-        {split: _add(facts, domain, words) for split, facts in by_split.items()},
+        {split: _add(by_split[split], domain, words) for split in (*get_args(Split), "") if split in by_split},
         {voice: _add(facts, domain, words) for voice, facts in by_voice.items()},
     )
 

@@ -6,6 +6,7 @@ import errno
 import io
 import json
 import shlex
+import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -425,9 +426,14 @@ def test_corpus_stats_count_structures(tmp_path: Path, capsys: pytest.CaptureFix
 
 
 def test_corpus_stats_fit_a_terminal_and_tell_voices_when_asked(
-    household_folder: Path, capsys: pytest.CaptureFixture[str]
+    household_folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    corpus = str(household_folder / "corpus")
+    splits = {"walt": "train", "petronella": "train", "bex": "development", "hana": "test"}
+    for name in splits:
+        shutil.copyfile(household_folder / "corpus" / f"{name}.yaml", tmp_path / f"{name}.yaml")
+    rows = "".join(f"  {name}: {{description: someone, split: {split}}}\n" for name, split in splits.items())
+    (tmp_path / "voices.yaml").write_text(f"voices:\n{rows}", encoding="utf-8")
+    corpus = str(tmp_path)
     assert main(["corpus", "stats", corpus]) == 0
     splits = capsys.readouterr().out.splitlines()
     assert splits[0].split() == ["all", "train", "development", "test"]

@@ -26,8 +26,9 @@ def blocks(language: str) -> list[tuple[str, str]]:
 
 
 def commands() -> list[str]:
-    """Every command of ours in README and docs."""
-    return [line for _, body in blocks("bash") for line in body.splitlines() if "decomplex-bt " in line]
+    """Every command of ours in README and docs, once."""
+    lines = (line for _, body in blocks("bash") for line in body.splitlines())
+    return list(dict.fromkeys(line for line in lines if "decomplex-bt " in line))
 
 
 @pytest.mark.parametrize(("page", "code"), blocks("python"), ids=lambda value: value.splitlines()[0][:30])

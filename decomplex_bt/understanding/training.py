@@ -55,9 +55,6 @@ EDITS = (without_punctuation, without_apostrophes)
 DISTURBED = ("typing slips", "speech recogniser")
 """The disturbances in copies that the encoder alone is trained on."""
 
-MOST_AGAIN = 4
-"""How many known examples are kept for each new one, where training goes on: more than all epochs see are of no use."""
-
 KEPT = 3
 """One voice in so many is read by models that never saw it, to learn the choice among readings."""
 
@@ -137,7 +134,7 @@ def train(
             folder,
             loaded,
             corpus=corpus_hash(files),
-            voices=tuple(splits),
+            voices=(*splits, *sorted(known - splits.keys())),
             examples=len(examples),
             base=None if base is None else file_hash(base / MANIFEST_FILE),
             language_model=parser.model_name,
@@ -237,11 +234,11 @@ def train_with_encoder(
     from decomplex_bt.understanding.encoder.model import EncoderModel
     from decomplex_bt.understanding.encoder.referents import train_share
     from decomplex_bt.understanding.encoder.stages import encoder_stages
-    from decomplex_bt.understanding.encoder.training import train_encoder
+    from decomplex_bt.understanding.encoder.training import FURTHER, train_encoder
 
     fresh = [e for e in examples if e.voice in for_choice or e.voice not in known]
     seen = [e.instruction for e in examples if e.voice not in for_choice and e.voice in known]
-    most = MOST_AGAIN * sum(e.voice not in for_choice for e in fresh)
+    most = int(FURTHER.epochs * FURTHER.known * sum(e.voice not in for_choice for e in fresh))  # what all epochs see
     if len(seen) > most:
         seen = [seen[i] for i in sorted(np.random.default_rng(0).choice(len(seen), most, replace=False))]
     data = _corpus(fresh, domain, parser, progress)

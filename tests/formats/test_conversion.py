@@ -34,11 +34,11 @@ def domain() -> Domain:
     return load_domain("household")
 
 
-@pytest.fixture(scope="module")
-def shipped(domain: Domain, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the voices that are in use."""
+@pytest.fixture(scope="module", params=[pytest.param(1, marks=pytest.mark.slow), 8])
+def shipped(domain: Domain, tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRequest) -> Path:
+    """A copy of the voices that are in use, of one in so many."""
     folder = tmp_path_factory.mktemp("corpus")
-    for voice in read_voices(domain.folder / "corpus"):
+    for voice in [*read_voices(domain.folder / "corpus")][:: request.param]:
         copyfile(domain.folder / "corpus" / f"{voice}.yaml", folder / f"{voice}.yaml")
     return folder
 

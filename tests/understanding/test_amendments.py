@@ -292,6 +292,8 @@ def test_who_somebody_walks_along_with_is_followed() -> None:
         ("Get the cushions, and if it looks like snow, close the shed.", 2, "object", "it"),
         ("Check the milk, and if it looks sour, tell me.", 2, "object", "the milk"),
         ("Light the lamp, and if the baby wakes up, come and get me.", 3, "object", "me"),
+        ("Bring me.", 1, "recipient", "me"),
+        ("If the door's open, hand us.", 2, "recipient", "us"),
         ("Get me the paper.", 1, "recipient", "me"),
         ("Bring me my cocoa with two biscuits, please.", 1, "object", "my cocoa with two biscuits"),
         ("Give Dad the blue pills with a glass of water.", 1, "object", "the blue pills with a glass of water"),

@@ -35,5 +35,12 @@ def test_the_weights_of_an_exported_network_come_back_by_their_names(tmp_path):
 
 def test_what_is_no_network_is_refused(tmp_path):
     (tmp_path / "network.onnx").write_text("no network", encoding="utf-8")
-    with pytest.raises(DataFileError, match="no network"):
+    with pytest.raises(DataFileError, match="no network of ours"):
         weights_of(tmp_path / "network.onnx")
+
+
+def test_a_matrix_without_a_bias_has_no_name_to_be_found_by(tmp_path):
+    network, path = torch.nn.Linear(8, 8, bias=False), tmp_path / "network.onnx"
+    export(network, (torch.ones(1, 3, 8),), path, inputs={"vectors": {1: "pieces"}}, outputs=("states",))
+    with pytest.raises(DataFileError, match="no network of ours"):
+        weights_of(path)

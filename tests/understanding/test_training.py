@@ -86,12 +86,19 @@ def test_models_are_replaced_by_those_of_another_corpus_only_by_force(
 
 @pytest.fixture
 def base(tmp_path):
-    """A folder that passes for an encoder that knows a training and a development voice of the domain's own corpus."""
+    """A folder that passes for an encoder that knows a training and a development voice of the domain's own corpus, and
+    one of another."""
     folder = tmp_path / "base"
     folder.mkdir()
     for name in FOLDER_FILES:
         (folder / name).write_text(name, encoding="utf-8")
-    known = {"corpus": "", "voices": ("bex", "walt"), "examples": 2, "language_model": "none", "libraries": ()}
+    known = {
+        "corpus": "",
+        "voices": ("bex", "elsewhere", "walt"),
+        "examples": 2,
+        "language_model": "none",
+        "libraries": (),
+    }
     write_manifest(folder, load_domain("household"), **known)
     return folder
 
@@ -102,7 +109,7 @@ def test_training_goes_on_with_the_known_voices_of_the_domain_beside_new_ones(sm
     assert {example.voice for example in untaught[0]} == {"learn", "walt", "bex"}
     written = read_manifest(report.folder)
     assert written.base == file_hash(base / "manifest.json")
-    assert written.voices == ("learn", "bex", "walt")
+    assert written.voices == ("learn", "bex", "walt", "elsewhere"), "what it has ever learnt from"
 
 
 def test_training_does_not_go_on_where_nothing_is_new_or_names_clash(small_corpus, base, tmp_path, untaught):

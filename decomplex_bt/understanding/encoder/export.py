@@ -48,9 +48,12 @@ def weights_of(path: Path) -> dict[str, np.ndarray]:
 
     try:
         graph = onnx.load(str(path)).graph
-        stored = {tensor.name: numpy_helper.to_array(tensor) for tensor in graph.initializer}
+        return _named(graph, {tensor.name: numpy_helper.to_array(tensor) for tensor in graph.initializer})
     except Exception as error:  # the library raises those of its parser, of the disk and of numpy
-        raise ModelError(path, f"no network ({type(error).__name__})") from None
+        raise ModelError(path, f"no network of ours ({type(error).__name__})") from None
+
+
+def _named(graph: Any, stored: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
     readers = {name: node for node in reversed(graph.node) for name in node.input}
     found = {}
     for name, values in stored.items():

@@ -42,7 +42,7 @@ MAX_VARIED_PLACES = 3
 MAX_ROLES, MAX_ATTACHMENTS = 4, 6
 """How many ways to tell the roles are read on, and of all ways to attach the tasks then."""
 LEAST = 1e-12
-SHARE = 0.25
+CRF_SHARE = 0.25
 """How much the CRFs count beside the network, which has learnt more: the weight of their logarithms in the mean."""
 
 Label = Literal["role", "attachment", "order"]
@@ -156,7 +156,7 @@ def _ways(crf: Crf, items: Sequence[Features], table: Array, names: Sequence[str
         if labels not in found and set(labels) <= set(crf.labels):
             found[labels] = crf.probability(labels)
     ways = [
-        Varied(labels, max(LEAST, chance) ** SHARE * _chance(table, names, labels) ** (1 - SHARE))
+        Varied(labels, max(LEAST, chance) ** CRF_SHARE * _chance(table, names, labels) ** (1 - CRF_SHARE))
         for labels, chance in found.items()
     ]
     return sorted(ways, key=lambda way: (-way.probability, way.labels))
