@@ -37,12 +37,9 @@ def cosines(one, other):
 def test_the_encoder_reads_like_the_one_it_goes_on_from(read):
     from decomplex_bt.understanding.encoder.network import Network, Sizes
 
-    encoder, _ = begin(0)
     model = EncoderModel(FOLDER)
     coder = training.Coder(model.pieces, DOMAIN.ontology)
-    network = Network(encoder, Sizes(encoder.config.hidden_size, len(coder.task_labels), len(coder.argument_labels)))
-    training._load(network, FOLDER)
-    network.eval()
+    network = training.read_encoder(FOLDER, DOMAIN.ontology).eval()
     sample = coder.sample(*read)
     ids = torch.tensor([sample.pieced.ids])
     with torch.no_grad():
@@ -51,6 +48,7 @@ def test_the_encoder_reads_like_the_one_it_goes_on_from(read):
     assert cosines(found[0].numpy(), model.vectors(read[0].document)).min() > 0.98
     assert tuple(labels) == sample.tasks
 
+    encoder, _ = begin(0)
     other = Network(encoder, Sizes(encoder.config.hidden_size, 3, len(coder.argument_labels)))
     with pytest.raises(DataFileError, match="trained for another ontology"):
         training._load(other, FOLDER)

@@ -67,22 +67,40 @@ def train_flow_network(
     About 35 ms for each example and epoch on one core that has bfloat16, three times as long on others.
     The same data, seed, libraries and kind of processor give the same files. Raises `TrainerMissingError`.
     """
-    encoder, pretrained = begin(seed)
-    from decomplex_bt.understanding.encoder.flow_network import FlowNetwork, FlowSizes
-
     found = [_learnable(pairs) for pairs in (lessons.plain, lessons.noised, lessons.recombined, lessons.known)]
     attachments = {arc.attachment for _, _, arcs in chain.from_iterable(found) for arc in arcs}
     before = () if base is None else read_labels(base).attachments
     names = Labels(ROLES, (*before, *sorted(attachments - {*before})), ORDERS)
+    network, pretrained = _begun(names, seed)
     pieces, types = Pieces(pretrained / "tokenizer.json"), sorted(ontology.task_types)
     samples = Lessons(*(_samples(each, pieces, types, names) for each in found))
-    sizes = FlowSizes(encoder.config.hidden_size, *map(len, names))
-    network = FlowNetwork(encoder, sizes)
     if base is not None:
         _load(network, base, names)
     fit(network, samples, _loss, pace or (PACE if base is None else FURTHER), random.Random(seed), progress)
+    write_flow_network(network, names, folder)
+
+
+def read_flow_network(folder: Path, names: Labels) -> Any:
+    """A trained network as it was before it was exported, as near as 8 bits come; attachments that it does not know,
+    the last ones of `names`, are untrained. Raises `DataFileError` where it is none or its other labels are others,
+    `TrainerMissingError`."""
+    network, _ = _begun(names, 0)
+    _load(network, folder, names)
+    return network
+
+
+def write_flow_network(network: Any, names: Labels, folder: Path) -> None:
+    """Writes a network for the run time, and its labels."""
     _export(network, folder)
     (folder / LABELS_FILE).write_text(json.dumps(names._asdict()) + "\n", encoding="utf-8")
+
+
+def _begun(names: Labels, seed: int) -> tuple[Any, Path]:
+    """An untrained network on the pretrained encoder, and the folder of the latter."""
+    encoder, pretrained = begin(seed)
+    from decomplex_bt.understanding.encoder.flow_network import FlowNetwork, FlowSizes
+
+    return FlowNetwork(encoder, FlowSizes(encoder.config.hidden_size, *map(len, names))), pretrained
 
 
 def _learnable(pairs: Sequence[Pair]) -> list[Learnable]:

@@ -68,9 +68,7 @@ def train_encoder(
     About 30 ms for each example and epoch on one core that has bfloat16, three times as long on others.
     The same data, seed, libraries and kind of processor give the same files. Raises `TrainerMissingError`.
     """
-    encoder, pretrained = begin(seed)
-    from decomplex_bt.understanding.encoder.network import Network, Sizes
-
+    network, pretrained = _begun(ontology, seed)
     coder = Coder(Pieces(pretrained / "tokenizer.json"), ontology)
     samples = Lessons(
         [coder.sample(*pair, with_references=True) for pair in lessons.plain],
@@ -78,19 +76,39 @@ def train_encoder(
         [coder.sample(*pair) for pair in lessons.recombined],
         [coder.sample(*pair, with_references=True) for pair in lessons.known],
     )
-    sizes = Sizes(
-        encoder=encoder.config.hidden_size,
-        task_labels=len(coder.task_labels),
-        argument_labels=len(coder.argument_labels),
-    )
-    network = Network(encoder, sizes)
     if base is not None:
         _load(network, base)
     fit(network, samples, _loss, pace or (PACE if base is None else FURTHER), random.Random(seed), progress)
-    _export(network.encoder, folder)
+    write_encoder(network, folder)
     shutil.copyfile(pretrained / "tokenizer.json", folder / PIECES_FILE)
+
+
+def read_encoder(folder: Path, ontology: Ontology) -> Any:
+    """A trained network as it was before it was exported, as near as 8 bits come. Raises `DataFileError` where it is
+    none or its labels are others, `TrainerMissingError`."""
+    network, _ = _begun(ontology, 0)
+    _load(network, folder)
+    return network
+
+
+def write_encoder(network: Any, folder: Path) -> None:
+    """Writes a network for the run time: its encoder and its heads."""
+    _export(network.encoder, folder)
     weights: dict[str, Any] = {name: value.numpy().astype(np.float16) for name, value in network.heads().items()}
     np.savez_compressed(folder / HEADS_FILE, **weights)
+
+
+def _begun(ontology: Ontology, seed: int) -> tuple[Any, Path]:
+    """An untrained network on the pretrained encoder, and the folder of the latter."""
+    encoder, pretrained = begin(seed)
+    from decomplex_bt.understanding.encoder.network import Network, Sizes
+
+    sizes = Sizes(
+        encoder=encoder.config.hidden_size,
+        task_labels=len(task_labels(tuple(ontology.task_types))),
+        argument_labels=len(argument_labels(tuple(ontology.argument_types))),
+    )
+    return Network(encoder, sizes), pretrained
 
 
 class Coder:
