@@ -1,8 +1,9 @@
 """Writes the mean of trained networks to a new folder, each of which counts for its share.
 
-    python benchmarks/mixed_networks.py --output FOLDER ENCODER=0.35 OTHER=0.35 THIRD=0.3
+    python benchmarks/mixed_networks.py --output FOLDER ENCODER=0.3 OTHER=0.35 THIRD=0.35
 
-So the shipped ones were made ("What each choice gains" in docs/accuracy.md). Needs the extra `train`.
+The choice among readings and the confidences are those of the first. So the shipped ones were made ("What each choice
+gains" in docs/accuracy.md). Needs the extra `train`.
 """
 
 from __future__ import annotations

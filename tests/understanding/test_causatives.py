@@ -103,22 +103,14 @@ def test_who_is_to_do_something_is_told_to(interpreter: Interpreter, text: str, 
 @pytest.mark.parametrize(
     ("text", "verbs"),
     [
-        ("Let the dough rise, then slice it.", ["slice"]),
-        ("Let the stew simmer, then stir it.", ["stir"]),
-        ("Let Nina sleep in, but wake Otto.", ["wake"]),
         ("Let the cat out.", ["Let"]),
         ("Let Otto know that the bus is here.", ["Let"]),
         ("Have a look in the cellar.", ["Have"]),
         ("Get Olaf to the station.", ["Get"]),
     ],
 )
-def test_what_is_let_go_on_is_no_order(interpreter: Interpreter, text: str, verbs: list[str]) -> None:
+def test_a_light_verb_before_a_thing_is_the_order(interpreter: Interpreter, text: str, verbs: list[str]) -> None:
     assert [task.span.of(text) for task in interpreter.interpret(text).tasks] == verbs
-
-
-def test_a_sleeper_tells_no_state_of_who_is_woken(interpreter: Interpreter) -> None:
-    (task,) = interpreter.interpret("Let Nina sleep in, but wake Otto up.").tasks
-    assert {a.type: a.value for a in task.arguments} == {"object": "Otto"}
 
 
 @pytest.mark.parametrize(

@@ -36,7 +36,7 @@ def mix(shares: Mapping[Path, float], output: Path, domain: Domain) -> None:
     if output.exists():
         raise InputError(f"{output} is there already; name a new folder")
     manifests = [check_models(folder, domain, models=(), files=FOLDER_FILES) for folder in shares]
-    first, manifest = next(iter(shares)), manifests[0]
+    first, latest = next(iter(shares)), max(manifests, key=lambda manifest: len(manifest.voices))
     names = read_labels(first)
     for folder in shares:
         if read_labels(folder) != names:
@@ -51,22 +51,21 @@ def mix(shares: Mapping[Path, float], output: Path, domain: Domain) -> None:
     write_manifest(
         output,
         domain,
-        corpus=manifest.corpus,
+        corpus=latest.corpus,
         voices=tuple(dict.fromkeys(voice for each in manifests for voice in each.voices)),
-        examples=manifest.examples,
+        examples=latest.examples,
         base=file_hash(first / MANIFEST_FILE),
-        language_model=manifest.language_model,
-        libraries=tuple(manifest.libraries),
+        language_model=latest.language_model,
+        libraries=tuple(latest.libraries),
     )
 
 
 def _mean(shares: Mapping[Path, float], read: Callable[[Path], Any]) -> Any:
     """A network whose weights are the mean of those in the folders."""
-    network, total = None, dict[str, Any]()
-    for folder, share in shares.items():
-        network = read(folder)
-        for name, value in network.state_dict().items():
-            total[name] = total.get(name, 0) + share * value
-    assert network is not None
-    network.load_state_dict(total)
-    return network.eval()
+    networks = [read(folder) for folder in shares]
+    weights = [network.state_dict() for network in networks]
+    mean = networks[0]
+    mean.load_state_dict(
+        {name: sum(w[name] * share for w, share in zip(weights, shares.values(), strict=True)) for name in weights[0]}
+    )
+    return mean.eval()

@@ -30,7 +30,6 @@ from decomplex_bt.understanding.rules.ellipses.unspoken import unspoken
 from decomplex_bt.understanding.rules.ellipses.verbless import verbless_cases
 from decomplex_bt.understanding.rules.orders.assistance import helping_hands
 from decomplex_bt.understanding.rules.orders.assurances import with_assured
-from decomplex_bt.understanding.rules.orders.causatives import let_on
 from decomplex_bt.understanding.rules.orders.fronting import with_fronted
 from decomplex_bt.understanding.rules.orders.handing import accompanied
 from decomplex_bt.understanding.rules.orders.needs import due
@@ -111,7 +110,7 @@ def _of_tasks(
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
     idle |= due(document) | forgone(document) | hearsays(document) | precautions(document, tasks)
     idle = idle.union(*(deed.idle for deed in deeds_of_others(document)))
-    idle |= wishers(document, tasks) | let_be(document) | let_on(document) | omitted(observed)
+    idle |= wishers(document, tasks) | let_be(document) | omitted(observed)
     unsaid = (found.tokens for found in alternatives(observed, tasks) if not found.is_verbal)
     idle = idle.union(*found_places(document), *pauses(document), *helping_hands(document), *unsaid)
     why, meant, how = reasons(document, tasks), plans(document, tasks), means_of(document, tasks)

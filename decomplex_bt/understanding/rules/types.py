@@ -29,6 +29,7 @@ from decomplex_bt.understanding.rules.orders.puttings import LAYING, is_put_on, 
 from decomplex_bt.understanding.rules.orders.resuming import resumed
 from decomplex_bt.understanding.tasks import FoundTask
 
+_CARRYING = HANDLING - {"change_state"}
 _NEAR_DOWN = 4
 """Within so many words behind "set" stands the "down" by which something is put down [tokens]."""
 _TIDYING = frozenset(("clear", "tidy", "clean", "wash"))
@@ -89,7 +90,7 @@ def _settled_type(observed: Observed, task: FoundTask, following: int) -> str:
         return "check_state"
     if task.type in HANDLING and lemma in _DRAWING and _is_covering(said):
         return "change_state"
-    if task.type in HANDLING and observed.gazetteer.ending_type(document, task.token) == "placing":
+    if task.type in _CARRYING and observed.gazetteer.ending_type(document, task.token) == "placing":
         return "placing"
     if task.type == "change_state" and lemma == "put":
         return "placing" if is_put_somewhere(said) else task.type

@@ -11,7 +11,7 @@ from decomplex_bt.understanding.document import ENDS, Document
 
 _OPENING = frozenset(("if", "when", "unless", "case"))
 _WOULD = frozenset("would 'd \u2019d d".split())
-_HAVING = frozenset("have take eat drink get".split())
+_VERBS = frozenset(("VB", "VBP"))
 _MARKS = frozenset((",", ";", ":", "-", "–", "—")) | ENDS
 _NOT = frozenset(("not", "n't", "n\u2019t"))
 _HELPING = _WOULD | _NOT | frozenset("does do did still really actually ever".split())
@@ -54,12 +54,12 @@ def preferences(document: Document, tasks: Mapping[int, str]) -> Iterator[Prefer
         subject = _subject(document, first)
         if not subject:
             continue
-        is_had = is_rather and i + 1 < len(tokens) and tokens[i + 1].lemma in _HAVING
-        start = i + 1 + is_had
+        is_verb = is_rather and i + 1 < len(tokens) and tokens[i + 1].tag in _VERBS
+        start = i + 1 + is_verb
         stop = next(
             (j for j in range(start, len(tokens)) if tokens[j].lower in _MARKS or _is_over(tasks, start, j)), start
         )
-        check = i + 1 if is_had else (first if is_rather else i)
+        check = i + 1 if is_verb else (first if is_rather else i)
         if stop > start and tokens[start].lower in _NOT:
             start = stop
         yield Preference(check, subject, range(start, stop), range(first, stop))

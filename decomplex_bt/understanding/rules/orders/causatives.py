@@ -1,6 +1,5 @@
 """Causatives: what is to be got done ("get the lawn *mown* and the hedge *trimmed*", "could the lawn be *mown* and the
-hedge *trimmed*?"), what somebody else is to be told to do ("have Tom *mow the lawn*"), and what goes on by itself where
-it is let ("let the dough *rise*"), which is no order."""
+hedge *trimmed*?"), and what somebody else is to be told to do ("have Tom *mow the lawn*")."""
 
 from __future__ import annotations
 
@@ -30,7 +29,6 @@ _ENDING = MARKS | frozenset(
     "and then please now too again first before after when while once if unless by for so or but".split()
 )
 _CLAUSE_ENDS = MARKS | frozenset("and then but or if unless when before after while until till once because".split())
-_CASES = frozenset("if when unless should".split())
 _OF_LET = frozenset("know go be have hear cool".split())
 """What "let" makes one verb with."""
 _DONE = ("VBN", "VBD")
@@ -89,33 +87,6 @@ def biddings(document: Document) -> Iterator[Bidding]:
         yield Bidding(verb, whom, range(whom.stop, stop))
 
 
-def let_on(document: Document) -> frozenset[int]:
-    """The words by which somebody or something is let go on by itself: "*let the dough rise*, then bake it", "*let Ann
-    sleep in*"; not "let the dog out", "let Ann know", nor what is all that a case orders ("if it's thin, let it
-    simmer")."""
-    tokens = document.tokens
-    found: set[int] = set()
-    bidden = {bidding.verb for bidding in biddings(document)}
-    for verb, thing in _orders(document, frozenset(("let",))):
-        start = thing.stop
-        if verb in bidden or start >= len(tokens) or not _is_bare(document, start) or tokens[start].lower in _OF_LET:
-            continue
-        if _has_object(document, start):
-            continue  # "let it dust the altar", as some call the one they speak to
-        stop = next((t.i for t in tokens[start:] if t.lower in _CLAUSE_ENDS), len(tokens))
-        if not _is_all_of_case(document, verb, stop):
-            found.update(range(verb, stop))
-    return frozenset(found)
-
-
-def _is_all_of_case(document: Document, verb: int, stop: int) -> bool:
-    """Whether an order from a verb up to a token is all that a case at the beginning of its sentence leads to."""
-    sentences = document.sentences
-    first = document.tokens[sentences.index(sentences[verb])]
-    is_last = stop + 1 >= len(document) or sentences[stop + 1] != sentences[verb]
-    return first.lower in _CASES and document.tokens[verb - 1].text == "," and is_last
-
-
 def with_biddings(document: Document, arguments: Sequence[FoundArgument], verb: int) -> list[FoundArgument]:
     """The arguments with who is to do something as who is told to, and what as the message."""
     for bidding in biddings(document):
@@ -149,14 +120,14 @@ def causative_types(observed: Observed) -> dict[int, str]:
 
 
 def without_tasks(observed: Observed) -> frozenset[int]:
-    """The words in which nothing is a task: what somebody else is to do, what is let go on, and what is to be got
-    done up to the participles of that."""
+    """The words in which nothing is a task: what somebody else is to do, and what is to be got done up to the
+    participles of that."""
     document = observed.document
     if document.words.isdisjoint(_BIDDING | _REQUESTING):
         return frozenset()
     messages = (bidding.message for bidding in biddings(document))
     got = (set(range(done.first, done.deeds[-1])) - {*done.deeds} for done in got_done(observed))
-    return let_on(document).union(*messages, *got)
+    return frozenset().union(*messages, *got)
 
 
 def _orders(document: Document, verbs: Collection[str]) -> Iterator[tuple[int, range]]:

@@ -1,5 +1,5 @@
-"""Loading: what is loaded "with" things is where those are put ("load the dryer *with the sheets*", "line the tin
-*with foil*"); what is filled with water changes its state."""
+"""Loading: what is loaded "with" things is where those are put ("load the dryer *with the sheets*"); what is filled
+with water changes its state."""
 
 from __future__ import annotations
 
@@ -12,8 +12,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
-_LOADING = frozenset("load stuff pack stock cram feed fill line".split())
-_LINING = frozenset(("line",))
+_LOADING = frozenset("load stuff pack stock cram feed fill".split())
 _FEEDING = frozenset(("feed",))
 _FILLING = frozenset(("fill",))
 _STUFFING = frozenset(("stuff", "cram"))
@@ -114,10 +113,7 @@ def _is_vessel(observed: Observed, goal: range, lemma: str) -> bool:
 
 
 def _are_things(observed: Observed, things: range, lemma: str) -> bool:
-    """Whether known things are named, or several; what something is *filled* with has to be both told and several,
-    while anything may be what it is *lined* with."""
-    if lemma in _LINING:
-        return True
+    """Whether known things are named, or several; what something is *filled* with has to be both told and several."""
     tokens = observed.document.tokens
     last = tokens[things.stop - 1]
     is_definite = any(token.lower in _DEFINITE for token in tokens[things.start + 1 : things.stop - 1])
