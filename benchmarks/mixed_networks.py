@@ -9,7 +9,6 @@ gains" in docs/accuracy.md). Needs the extra `train`.
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 
 from decomplex_bt.domain.loader import load_domain
@@ -30,7 +29,7 @@ def main() -> None:
     try:
         mix(shares, arguments.output, load_domain(arguments.domain))
     except DecomplexError as error:
-        sys.exit(str(error))
+        parser.error(str(error))
 
 
 if __name__ == "__main__":

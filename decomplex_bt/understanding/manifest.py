@@ -30,8 +30,9 @@ class ModelEntry(Record):
 
 class Manifest(Record):
     """`manifest.json`. `files`: SHA-256 of what is no CRF; `corpus`: SHA-256 over the training voices' files;
-    `base`: SHA-256 of the manifest of the models that training went on from; `libraries`: versions the models were made
-    with; `language_model`: the spaCy model whose tags the features came from."""
+    `base`: SHA-256 of the manifest of the models that training went on from, or of the first of those whose mean it is;
+    `libraries`: versions the models were made with; `language_model`: the spaCy model whose tags the features came
+    from."""
 
     format: int
     features_version: int
