@@ -18,6 +18,9 @@ def train(
     corpus: CorpusOption = None,
     output: OutputOption = None,
     encoder: Annotated[bool, typer.Option("--encoder", help="The encoder instead; needs the extra `train`.")] = False,
+    references: Annotated[
+        bool, typer.Option("--references", help="Only what words refer to, beside the models that are there.")
+    ] = False,
     base: Annotated[
         Path | None,
         typer.Option(
@@ -45,6 +48,7 @@ def train(
         output,
         domain=domain_of(domain),
         encoder=encoder,
+        references=references,
         base=base,
         force=force,
         jobs=jobs,

@@ -11,7 +11,7 @@ from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import head_of
-from decomplex_bt.understanding.references.gaps import gap_of, is_let_through
+from decomplex_bt.understanding.references.gaps import ASIDE, NAMING_FORMS, gap_of, is_let_through
 from decomplex_bt.understanding.references.relatives import exclusions
 from decomplex_bt.understanding.rules.cases.questions import asks_openly
 from decomplex_bt.understanding.rules.cases.times import times
@@ -102,7 +102,9 @@ def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
     if task.type == "check_state" and argument.value.lower() == "there" and task.value("object") is not None:
         return False  # "give it to Ann. If she isn't there, ..."
     gap = gap_of(observed.document, task, argument)
-    if gap is None or gap.word in _NAMING or not _LEAVING_OUT.isdisjoint(argument.value.lower().split()):
+    if gap is None or argument.type in ASIDE or gap.form in NAMING_FORMS:
+        return False
+    if gap.word in _NAMING or not _LEAVING_OUT.isdisjoint(argument.value.lower().split()):
         return False
     # "if the big one's broken", "if Mia's is empty"; what is to be taken or changed must be known
     is_told = task.type == "check_state" and gap.form in ("one", "own") and len(gap.tokens) > 1

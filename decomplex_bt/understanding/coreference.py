@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections import Counter
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from array import array
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -23,9 +23,10 @@ from decomplex_bt.understanding.references.affinity import options_of
 from decomplex_bt.understanding.references.asked_again import place_asked_before
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.deeds_asked import deed_asked_before
-from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, part_of, unsaid_gaps
+from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, gap_of, unsaid_gaps
 from decomplex_bt.understanding.references.options import Option
 from decomplex_bt.understanding.references.pointing import shown
+from decomplex_bt.understanding.references.spellings import filled, part_of
 from decomplex_bt.understanding.references.switching import without_own_place
 
 __all__ = ["REFERENCES_FILE", "REFERRING", "ReferenceModel", "train_references"]
@@ -78,9 +79,11 @@ class ReferenceModel:
                         context.pool.append(thing)
                 arguments.append(argument)
             arguments = without_own_place(observed.document, task, arguments)
-            implied = []
+            implied: list[Argument] = []
             said = {argument.value.lower() for argument in arguments}  # what is put is not where it is put
             for gap in unsaid_gaps(observed, task, self._ontology):
+                if gap.type == "goal" and any(argument.type == "recipient" for argument in implied):
+                    continue  # what somebody gets goes to no place besides
                 asked = place_asked_before(context, gap, resolved) or deed_asked_before(context, gap, resolved)
                 if asked is not None:
                     implied.append(asked)
@@ -129,8 +132,9 @@ class ReferenceModel:
 
 def train_references(path: Path, data: Sequence[tuple[Observed, Instruction]], ontology: Ontology) -> None:
     """Fits the weights by conditional logit on annotated instructions and writes them to `path`."""
-    choices = [choice for observed, instruction in data for choice in choices_of(observed, instruction, ontology)]
-    weights = _fitted(choices)
+    weights = _fitted(
+        choice for observed, instruction in data for choice in choices_of(observed, instruction, ontology)
+    )
     rounded = {name: round(weight, 3) for name, weight in sorted(weights.items())}
     kept = {name: weight for name, weight in rounded.items() if abs(weight) >= SMALLEST}
     path.write_text(json.dumps(kept, indent=0, ensure_ascii=False) + "\n", encoding="utf-8")
@@ -175,27 +179,30 @@ def choices_of(observed: Observed, instruction: Instruction, ontology: Ontology)
                     context.mention(gap, chosen.candidate, chosen.text)
 
 
-def _fitted(choices: Sequence[Choice]) -> Mapping[str, float]:
+def _fitted(choices: Iterable[Choice]) -> Mapping[str, float]:
     import numpy as np
     from scipy.optimize import minimize
     from scipy.sparse import csr_matrix
 
-    counts = Counter(feature for choice in choices for option in choice.options for feature in option.features)
-    names = sorted(feature for feature, count in counts.items() if count >= RAREST)
-    number = {name: i for i, name in enumerate(names)}
-    columns: list[int] = []
-    ends = [0]
+    number: dict[str, int] = {}
+    columns, ends = array("i"), array("l", (0,))  # a corpus has tens of millions of features, its choices are not kept
+    options: list[int] = []
+    rights: list[bool] = []
     for choice in choices:
+        options.append(len(choice.options))
+        rights += choice.right
         for option in choice.options:
-            columns.extend(number[feature] for feature in option.features if feature in number)
+            columns.extend(number.setdefault(feature, len(number)) for feature in option.features)
             ends.append(len(columns))
-    if not choices:
+    if not options:
         return {}
-    table = csr_matrix((np.ones(len(columns)), columns, ends), shape=(len(ends) - 1, len(names)))
+    counts = np.bincount(columns, minlength=len(number))
+    names = [name for name, count in zip(number, counts, strict=True) if count >= RAREST]
+    table = csr_matrix((np.ones(len(columns)), columns, ends), shape=(len(ends) - 1, len(number)))[:, counts >= RAREST]
     transposed = table.T.tocsr()
-    sizes = np.array([len(choice.options) for choice in choices])
+    sizes = np.array(options)
     starts = np.concatenate([[0], np.cumsum(sizes)[:-1]])
-    right = np.array([is_right for choice in choices for is_right in choice.right])
+    right = np.array(rights)
 
     def loss(weights: np.ndarray) -> tuple[float, np.ndarray]:
         scores = table @ weights

@@ -32,7 +32,7 @@ class Manifest(Record):
     """`manifest.json`. `files`: SHA-256 of what is no CRF; `corpus`: SHA-256 over the training voices' files;
     `base`: SHA-256 of the manifest of the models that training went on from, or of the first of those whose mean it is;
     `libraries`: versions the models were made with; `language_model`: the spaCy model whose tags the features came
-    from."""
+    from; `references`: the voices that references and known words were learnt from, where that was done by itself."""
 
     format: int
     features_version: int
@@ -45,6 +45,7 @@ class Manifest(Record):
     libraries: dict[str, str]
     models: dict[str, ModelEntry]
     files: dict[str, str]
+    references: tuple[str, ...] = ()
 
 
 def write_manifest(
@@ -72,6 +73,16 @@ def write_manifest(
         models={path.stem: _entry(path) for path in sorted(folder.glob("*.crf"))},
         files={name: file_hash(folder / name) for name in _others(folder)},
     )
+    _write(folder, manifest)
+
+
+def write_manifest_of_references(folder: Path, before: Manifest, voices: Sequence[str]) -> None:
+    """Writes the manifest of models in `folder` that are those of before but for their references and known words."""
+    files = {name: file_hash(folder / name) for name in _others(folder)}
+    _write(folder, before.model_copy(update={"files": files, "references": tuple(voices)}))
+
+
+def _write(folder: Path, manifest: Manifest) -> None:
     (folder / MANIFEST_FILE).write_text(manifest.model_dump_json(indent=1) + "\n", encoding="utf-8")
 
 

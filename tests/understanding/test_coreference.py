@@ -20,9 +20,10 @@ from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.references.affinity import options_of
 from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.context import Context
-from decomplex_bt.understanding.references.gaps import gap_of, part_of, spellings, unsaid_gaps
+from decomplex_bt.understanding.references.gaps import gap_of, unsaid_gaps
 from decomplex_bt.understanding.references.nouns import noun_of
-from decomplex_bt.understanding.references.phrases import Candidate, candidates_of
+from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, predicates_of
+from decomplex_bt.understanding.references.spellings import part_of, spellings
 
 GAZETTEER = Gazetteer({}, {}, frozenset())
 
@@ -107,6 +108,12 @@ def test_a_noun_chunk_begins_with_no_s_and_may_be_a_noun_that_the_tagger_missed(
         (("one/CD",), range(4, 5), "a red cup"),
         (("half/NN", "of/IN", "it/PRP"), range(4, 7), "half of the red cup"),
         (("mine/PRP",), range(4, 5), "my cup"),
+        (("the/DT", "rest/NN"), range(4, 6), "the rest of the red cup"),
+        (("a/DT", "piece/NN"), range(4, 6), "a piece of the red cup"),
+        (("any/DT", "that/WDT", "leak/VBP"), range(4, 7), "any red cup that leak"),
+        (("those/DT", "without/IN", "lids/NNS"), range(4, 7), "the red cup without lids"),
+        (("the/DT", "spare/JJ"), range(4, 6), "the spare cup"),
+        (("some/DT", "cold/JJ"), range(4, 6), "some cold cup"),
     ],
 )
 def test_words_that_refer_are_spelled_with_the_noun(words, kinds, expected):
@@ -116,6 +123,51 @@ def test_words_that_refer_are_spelled_with_the_noun(words, kinds, expected):
     assert gap is not None
     cup = next(c for c in candidates_of(Observed(doc, GAZETTEER), [task]) if c.text == "the red cup")
     assert expected in {text for text, _ in spellings(doc, gap, cup)}
+
+
+def test_some_of_several_known_things_are_some_of_them_or_some_like_them():
+    doc = document("wash/VB", "the/DT", "cups/NNS", "if/IN", "any/DT", "are/VBP", "dirty/JJ")
+    tasks = (
+        Task(1, "change_state", doc.span(0, 0), (argument(doc, "object", 1, 2),)),
+        Task(2, "check_state", doc.span(5, 5), (argument(doc, "object", 4, 4), argument(doc, "state", 6, 6))),
+    )
+    gap = gap_of(doc, tasks[1], tasks[1].arguments[0])
+    cups = next(c for c in candidates_of(Observed(doc, GAZETTEER), tasks) if c.text == "the cups")
+    assert {"any of the cups", "any cups", "the cups"} <= {text for text, _ in spellings(doc, gap, cups)}
+
+
+@pytest.mark.parametrize(
+    ("kind", "words", "is_open"),
+    [
+        ("state", ("it/PRP",), True),  # "if she spits it out"
+        ("manner", ("with/IN", "it/PRP"), True),
+        ("message", ("it/PRP",), True),
+        ("message", ("that/IN", "it/PRP", "works/VBZ"), False),
+        ("state", ("out/RP",), False),
+        ("state", ("that/DT",), False),  # mostly a deed
+    ],
+)
+def test_what_says_something_itself_refers_only_by_a_word_alone(kind, words, is_open):
+    doc = document("does/VB", *words)
+    task = Task(1, "check_state", doc.span(0, 0), (argument(doc, kind, 1, len(words)),))
+    assert (gap_of(doc, task, task.arguments[0]) is not None) == is_open
+
+
+def test_a_deed_is_taken_up_with_all_that_is_said_behind_its_verb():
+    doc = document("if/IN", "he/PRP", "has/VBZ", "fed/VBN", "the/DT", "cat/NN", "and/CC", "been/VBN", "out/RB")
+    tasks = (
+        Task(1, "check_state", doc.span(3, 3), (argument(doc, "object", 1, 1), argument(doc, "state", 4, 5))),
+        Task(2, "check_state", doc.span(7, 7)),
+    )
+    texts = {c.text for c in predicates_of(Observed(doc, GAZETTEER), tasks)}
+    assert {"fed the cat", "been"} <= texts
+
+
+def test_who_is_brought_something_may_be_left_unsaid_as_where_to():
+    doc = document("hand/VB", "it/PRP", "over/RP")
+    task = Task(1, "bringing", doc.span(0, 0), (argument(doc, "object", 1, 1),))
+    gaps = unsaid_gaps(Observed(doc, GAZETTEER), task, load_domain("household").ontology)
+    assert [gap.type for gap in gaps] == ["recipient", "goal"]
 
 
 def test_relations_in_the_flow():

@@ -42,8 +42,8 @@ def test_what_was_found_out_in_between_may_be_what_is_told(interpreter: Interpre
         ("Tell mum the parcel came, then tell it to dad.", "the parcel came"),
         ("Inform the guests that the taxi is here and tell the driver that as well.", "that the taxi is here"),
         ("If Leo is up, tell him lunch is served. If Mia is up, tell her that too.", "lunch is served"),
-        ("Ask Ann her name and tell it to me.", "it"),  # what she answers
-        ("Tell Ann the truth. Get the letter and read it to Ben.", "it"),
+        ("Ask Ann her name and tell it to me.", "her name"),  # not what was said, but what is asked for
+        ("Tell Ann the truth. Get the letter and read it to Ben.", "the letter"),
     ],
 )
 def test_it_is_what_was_told_just_before(interpreter: Interpreter, text: str, message: str) -> None:

@@ -104,7 +104,7 @@ def test_a_level_is_a_state(interpreter: Interpreter, text: str, state: str | No
         ("Bring us the jug, and if there's ice in the freezer, bring that too.", "us"),
         ("Fetch the ladle for me, and if the spoon is clean, bring that too.", "me"),
         ("Bring the ladle to us. If it's dirty, bring the spoon instead.", "us"),
-        ("Bring the ladle to Kim. If it's dirty, bring the spoon instead.", None),
+        ("Bring the ladle to Kim. If it's dirty, bring the spoon instead.", "Kim"),
         ("Bring me the ladle. If it's raining, bring the chairs in.", None),
         ("Bring Kim the ladle. If it's dirty, bring the spoon to the cook.", "to the cook"),
         ("If the ladle is dirty, wash it and bring the spoon.", None),

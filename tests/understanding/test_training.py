@@ -131,6 +131,30 @@ def test_training_does_not_go_on_where_nothing_is_new_or_names_clash(small_corpu
     assert not untaught
 
 
+def test_references_are_learnt_by_themselves_beside_models_that_stay(small_corpus, tmp_path, household_folder):
+    models = tmp_path / "models"
+    shutil.copytree(household_folder / "models", models, ignore=shutil.ignore_patterns("encoder"))
+    before = {file.name: file.read_bytes() for file in models.iterdir()}
+    with pytest.raises(InputError, match="holds models already"):
+        train(small_corpus, models, references=True)
+    with pytest.raises(InputError, match="leave the encoder out"):
+        train(small_corpus, models, references=True, encoder=True)
+    with pytest.raises(DataFileError, match=r"manifest\.json"):
+        train(small_corpus, tmp_path / "empty", references=True)
+    own = tmp_path / "own"  # a domain whose corpus is small
+    shutil.copytree(household_folder, own, ignore=shutil.ignore_patterns("corpus", "encoder"))
+    shutil.copytree(small_corpus, own / "corpus")
+    report = train(domain=own, references=True)
+    after = {file.name: file.read_bytes() for file in (own / "models").iterdir()}
+    changed = {name for name in after if after[name] != before[name]}
+    assert changed == {"references.json", "words.json", "manifest.json"}
+    assert (report.voices, report.examples) == (("learn",), 25)
+    written = read_manifest(own / "models")
+    assert written.references == ("learn",)
+    assert written.voices == read_manifest(models).voices
+    assert Interpreter.load(own, encoder=False).interpret("Close the door.").tasks
+
+
 @pytest.mark.parametrize("place", ["a file", "a file/within", "/proc/models", "n" * 300])
 def test_an_output_that_cannot_be_written_is_refused_before_anything_is_trained(
     place, small_corpus, tmp_path, untaught

@@ -1,8 +1,8 @@
-"""Gaps: what has to be resolved (words that refer, arguments left unsaid), and how what fills them is worded."""
+"""Gaps: what has to be resolved, words that refer or arguments left unsaid."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from decomplex_bt.domain.clauses import AIR, WEATHER
@@ -13,25 +13,21 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.amounts import is_amount, is_half
 from decomplex_bt.understanding.references.chunks import head_of, is_child, stripped
-from decomplex_bt.understanding.references.nouns import bare_of, noun_of, whole_noun_of
-from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, is_placed, is_pointing
+from decomplex_bt.understanding.references.phrases import degree_asked, is_placed, is_pointing
 from decomplex_bt.understanding.vocabulary import ONES, PRONOUNS, QUANTIFIERS
 
 REFERRING = PRONOUNS
 PREDICATE = "predicate"
 """The type of a gap that a state or a place fills: what a check leaves out in "if it is"."""
 
-_POSSESSIVES = ("'s", "\u2019s")
-_COUNTS = frozenset("one two three four five six few couple pair".split())
-_NUMBERS = _COUNTS - {"one", "few", "couple", "pair"}
-_FURTHER = frozenset(("other", "more", "another"))
+COUNTS = frozenset("one two three four five six few couple pair".split())
 _LEADING = frozenset(
     "the that this these those other others another a an each both either of same all whole thing lot former latter "
     "place machine inside where".split()
 )
-_DEMONSTRATIVES = frozenset("this that these those".split())
 _KINDS = frozenset("white red brown black green wholemeal rye plain semi-skimmed decaf".split())
 """What tells kinds of food and drink apart, which the tagger may take for nouns."""
+_TELLING = frozenset("spare yellow blue grey gray pink orange purple second third".split())
 _ALONE = frozenset("inside five six both either each none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AMOUNTS = frozenset(
@@ -56,9 +52,25 @@ _SIDES = frozenset(
 )  # fmt: skip
 """Prepositions for where a thing is by another one."""
 _LONGEST_SIDE = max(map(len, _SIDES))
-_OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
+ASIDE = frozenset(("message", "manner", "state", "direction"))
+"""Arguments that say something themselves, and refer only where they are no more than one word that does."""
+_TAKEN_UP = frozenset(
+    "it them him her one another any some mine his hers ours yours theirs those these".split()
+)  # "that" is mostly what was said or done
+NAMING_FORMS = frozenset(("rest", "sort", "measure", "told"))
+"""Forms of words that may as well mean what they say: "bring me *a glass*"."""
+_REST = frozenset(("rest", "remainder"))
+_SORTED = frozenset("any those some".split())
+_SORTING = frozenset("that which who with without in on from under left".split())
+"""What tells which of them: "any *that* have holes", "those *without* lids"."""
+_MEASURES = frozenset(
+    "glass cup mug bowl jug bottle spoonful bit piece slice drop bucket bag packet pinch splash portion helping "
+    "handful bunch stack set bowlful litre liter pint pound loaf sheet tube jar basketful dash squirt".split()
+)
+"""What there is so much of something in, or of it, told alone: "chop *a bit*"."""
+OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
 
-_DETERMINERS = QUANTIFIERS | _LEADING | _COUNTS | frozenset(_OWN.values())
+DETERMINERS = QUANTIFIERS | _LEADING | COUNTS | frozenset(OWN.values())
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,9 +95,11 @@ class Gap:
 def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     """The gap that an argument's words leave to be resolved, or None where they name what they mean; of "her on the
     porch" it is who that is."""
-    if argument.span is None or argument.type in ("message", "manner", "state", "direction"):
+    if argument.span is None:
         return None
     tokens = document.indices(argument.span)
+    if argument.type in ASIDE and not _is_taken_up(document, tokens):
+        return None
     inner = _landmark(document, tokens) or stripped(document, tokens)
     if not inner:
         return None
@@ -102,8 +116,10 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
         return None
     before = inner.start - 1
     preposition = document.tokens[before].lower if before >= tokens.start else ""
-    head = document.tokens[inner.stop - 1] if form == "part" else document.tokens[_head(document, inner)]
-    word = "'s" if form == "own" and head.lower not in _OWN else head.lower
+    head = document.tokens[inner.stop - 1] if form == "part" else document.tokens[head_in(document, inner)]
+    word = "'s" if form == "own" and head.lower not in OWN else head.lower
+    if form == "sort":
+        word = document.tokens[inner.start].lower
     is_of_it = form == "part" and word == "it" and argument.type == "object" and _is_amount(document, inner)
     is_alone = form in ("one", "own") and len(inner) == 1 and (task.type, argument.type) == ("check_state", "object")
     # "if *one* is chipped", "when *his* is full"
@@ -111,6 +127,13 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     is_another = [document.tokens[i].lower for i in inner] == ["another", "one"]
     is_certain = is_of_it or is_subject or is_another or is_told_one(document, inner) or is_amount_alone
     return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_certain)
+
+
+def _is_taken_up(document: Document, tokens: range) -> bool:
+    """Whether words are a single one that refers, and maybe a preposition: "if she spits *it* out", "rinse it *with
+    them*"."""
+    inner = stripped(document, tokens)
+    return len(inner) == 1 and document.tokens[inner.start].lower in _TAKEN_UP
 
 
 def _is_kind(document: Document, task: Task, argument: Argument, tokens: range) -> bool:
@@ -158,41 +181,26 @@ def _joined(document: Document, tokens: range) -> int | None:
     return tokens.stop - 1 if words[-1] in _SINGLE and words[-2] in _AND else None
 
 
-def filled(document: Document, argument: Argument, gap: Gap, text: str) -> str:
-    """An argument's value where its gap is filled with a text: that, or the argument's words with it in their place."""
-    if gap.form != "joined" or argument.span is None:
-        return text
-    tokens = stripped(document, document.indices(argument.span))
-    before, after = range(tokens.start, gap.tokens.start), range(gap.tokens.stop, tokens.stop)
-    return " ".join(
-        [*([_text(document, before)] if before else ()), text, *([_text(document, after)] if after else ())]
-    )
-
-
-def part_of(document: Document, argument: Argument, gap: Gap, value: str) -> dict[str, str]:
-    """What words for a part of what is told by a pronoun ("one of them") say with its value ("one of the plates"), and
-    what "the blue one" does ("the blue plate")."""
-    if gap.form == "one" and len(gap.tokens) > 1:
-        return {_text(document, gap.tokens).lower(): value}
-    if gap.form != "part" or argument.span is None:
-        return {}
-    said = _text(document, stripped(document, document.indices(argument.span)))
-    number, joined, _ = said.rpartition(" of ")
-    is_whole = not joined or value.lower().startswith(f"{number.lower()} of ")
-    return {said.lower(): value if is_whole else f"{number} of {value}"}
-
-
 def _form(document: Document, tokens: range) -> str | None:
-    """pronoun, one ("the red one"), own ("hers", "Ruby's"), part ("half of it"), count ("two"), or None."""
+    """pronoun, one ("the red one"), own ("hers", "Ruby's"), part ("half of it"), count ("two"), rest ("the rest"), sort
+    ("any that leak"), measure ("a slice"), told ("the spare"), or None."""
     words = [document.tokens[i].lower for i in tokens]
-    if (is_pointing(document, tokens) and words[0] not in _OWN) or is_child(document, tokens):
+    if len(words) == 2 and words[0] == "the" and words[1] in _REST:
+        return "rest"
+    if len(words) > 2 and words[0] in _SORTED and words[1] in _SORTING:
+        return "sort"
+    if len(words) == 2 and words[0] in ("a", "an", "another") and words[1] in _MEASURES:
+        return "measure"
+    if len(words) == 2 and words[0] in ("the", "some", "a", "an") and _is_telling(document, tokens.stop - 1):
+        return "told"
+    if (is_pointing(document, tokens) and words[0] not in OWN) or is_child(document, tokens):
         return None
-    head = document.tokens[_head(document, tokens)].lower
+    head = document.tokens[head_in(document, tokens)].lower
     last = document.tokens[tokens.stop - 1]
     if len(words) == 1:
-        if words[0] in _OWN:
+        if words[0] in OWN:
             return "own"
-        if words[0] in _COUNTS:
+        if words[0] in COUNTS:
             return "one" if words[0] == "one" else "count"
         return "pronoun" if words[0] in PRONOUNS or words[0] in _ALONE else None
     if words[:2] == ["one", "of"] and len(words) == 3:
@@ -206,13 +214,21 @@ def _form(document: Document, tokens: range) -> str | None:
     is_owner = last.lower in ("'s", "\u2019s") and document.tokens[tokens.stop - 2].pos in ("NOUN", "PROPN")
     if (last.tag == "POS" or is_owner) and "and" not in words:  # "my mug and Tom's" says of what kind both are
         return "own"
-    if len(words) > 1 and words[-2] == "of" and words[-1] in _OWN:
+    if len(words) > 1 and words[-2] == "of" and words[-1] in OWN:
         return None  # "anything of ours" says whose
     if len(words) > 2 and words[-2] == "of" and words[-1] in PRONOUNS:
         return "part"
-    if words[-1] in _COUNTS and len(words) == 2 and words[0] == "a":
+    if words[-1] in COUNTS and len(words) == 2 and words[0] == "a":
         return "count"
     return "pronoun" if all(word in _LEADING | PRONOUNS | QUANTIFIERS for word in words) else None
+
+
+def _is_telling(document: Document, at: int) -> bool:
+    """Whether a word ends a phrase that tells things of a kind apart: "the *spare*", "some *cold*", "the *biggest*"."""
+    token = document.tokens[at]
+    is_last = at + 1 == len(document) or document.tokens[at + 1].pos not in ("NOUN", "PROPN", "ADJ")
+    is_adjective = token.tag in ("JJ", "JJR", "JJS") and token.lower not in _LEADING | PRONOUNS | QUANTIFIERS
+    return is_last and (is_adjective or token.lower in _KINDS | _TELLING)
 
 
 def _is_numbered(document: Document, tokens: range) -> bool:
@@ -223,7 +239,7 @@ def _is_numbered(document: Document, tokens: range) -> bool:
     return is_bare and all(word is not None and word.pos == "ADP" for word in ahead)
 
 
-def _head(document: Document, tokens: range) -> int:
+def head_in(document: Document, tokens: range) -> int:
     """The head of a phrase; of "one of the new ones" the last word."""
     words = [document.tokens[i].lower for i in tokens]
     return tokens.stop - 1 if words[:2] == ["one", "of"] and words[-1] == "ones" else head_of(document, tokens)
@@ -243,6 +259,7 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
         yield Gap(task, "recipient", position, "")
         return
     if task.type == "bringing" and not said & {"recipient", "goal"}:
+        yield Gap(task, "recipient", position, "")
         yield Gap(task, "goal", position, "")
     for group in ontology.task_types[task.type].required:
         if group[0] == "goal" and observed.gazetteer.ending_type(document, position) == task.type:
@@ -358,91 +375,3 @@ def _is_bare_state(observed: Observed, at: int) -> bool:
     is_led = opening is not None and bare_state(observed, opening) == at
     is_set_off = 0 < at < len(tokens) - 1 and tokens[at - 1].lower in _OPENING and tokens[at + 1].text == ","
     return (is_led or (is_set_off and tokens[at].tag == "VBN")) and tokens[at].lower not in WEATHER | _AIR
-
-
-def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tuple[str, str]]:
-    """How a candidate may be put into words for a gap, each with the name of the way."""
-    text = candidate.text
-    is_open = document.tokens[candidate.tokens.start].lower in QUANTIFIERS | {"a", "an"} and len(candidate.tokens) > 1
-    if gap.form == "part":
-        whole = bare_of(document, candidate, is_plural=None) if is_open else text  # of "any milk", "a cup of milk"
-        if is_open and text.split()[0].lower() == "some" and text.split()[1] == "of":
-            whole = text.split(" ", 2)[2]  # of "some of the milk"
-        yield f"{_text(document, gap.tokens[:-1])} {whole}", "of"
-        first = document.tokens[gap.tokens.start]
-        is_amount = first.lower in ("some", "any", "few") or (first.pos == "NUM" and first.lower != "one")
-        if len(gap.tokens) == 3 and is_amount:
-            is_told_bare = candidate.mention and text.split()[0].lower() not in _DETERMINERS  # "new ones"
-            told = text if is_told_bare else bare_of(document, candidate, is_plural=None)
-            yield f"{first.text} {told}", "counted"
-        yield text, "same"
-        return
-    if gap.form == "half":
-        is_told = text.split()[0].lower() in _DETERMINERS or text.split()[0].endswith(_POSSESSIVES)
-        yield f"half of {text if is_told else f'the {text}'}", "of"
-        return
-    if gap.form == "kind":
-        yield f"{gap.word} {noun_of(document, candidate, is_plural=None)}", "kind"
-        return
-    if gap.form == "own":
-        own = _OWN.get(gap.word) or _text(document, gap.tokens)
-        noun = whole_noun_of(document, candidate) if gap.word == "'s" else noun_of(document, candidate, is_plural=None)
-        yield f"{own} {noun}", "own"
-        yield text, "same"
-        return
-    is_further = any(document.tokens[i].lower == "another" for i in gap.tokens[:1])
-    is_named = document.tokens[candidate.head].lower not in QUANTIFIERS  # no "six any" of "any of the plums"
-    is_quantity = gap.word in ("ones", "some", "any") or (gap.word in ("more", "enough") and len(gap.tokens) == 1)
-    if is_named and (gap.form == "count" or is_quantity or is_further):
-        words = _text(document, range(gap.tokens.start, _last_modifier(gap) + 1))
-        if gap.form == "count" and document.tokens[gap.tokens.start].lower == "a":
-            words += " of" if gap.word in ("couple", "pair") else ""
-        is_plural = False if is_further else True if gap.form == "count" else None
-        yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "counted"
-        yield f"{words} {bare_of(document, candidate, is_plural=is_plural)}", "counted.bare"
-    if number := numbered_of(document, gap):
-        yield f"{number} {noun_of(document, candidate, is_plural=True)}", "counted"
-    modifiers = range(gap.tokens.start, _head(document, gap.tokens)) if gap.tokens else range(0)
-    if gap.form == "one" and any(document.tokens[i].lower not in _DEMONSTRATIVES for i in modifiers):
-        words = _text(document, modifiers)
-        is_plural = gap.word == "ones"
-        after = range(_head(document, gap.tokens) + 1, gap.tokens.stop)
-        if after:
-            yield (
-                f"{words} {noun_of(document, candidate, is_plural=is_plural)} {_text(document, after)}",
-                "modified.long",
-            )
-        if after and len(modifiers) == 1:  # nothing else tells "the one with the handle" from any other
-            return
-        yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "modified"
-        bare = bare_of(document, candidate, is_plural=is_plural)
-        yield f"{words} {bare}", "modified.bare"
-        yield f"{words} {noun_of(document, candidate, is_plural=is_plural).split()[-1]}", "modified.head"
-    elif gap.word == "other" or gap.word == "others":
-        yield f"the other {noun_of(document, candidate, is_plural=gap.word == 'others')}", "other"
-    if gap.word in ("one", "another", "that", "it") and gap.form in ("one", "pronoun"):
-        bare = bare_of(document, candidate, is_plural=False)
-        article = "an" if bare[:1].lower() in "aeiou" else "a"
-        if gap.word == "one" or text.lower().startswith("one "):
-            yield f"{article} {bare}", "a"
-        if gap.word == "one":
-            yield f"one {bare}", "one"
-    yield text, "same"
-    if is_open:
-        yield bare_of(document, candidate, is_plural=None), "bare"
-
-
-def numbered_of(document: Document, gap: Gap) -> str:
-    """So many further things of a kind: the "two" of "*the other two*" or "*two more*"; else ""."""
-    words = [document.tokens[i].lower for i in gap.tokens]
-    numbers = [word for word in words if word in _NUMBERS]
-    return numbers[0] if gap.form == "pronoun" and len(numbers) == 1 and not _FURTHER.isdisjoint(words) else ""
-
-
-def _last_modifier(gap: Gap) -> int:
-    """The last word of the gap that stays before the noun that is filled in: "two", "a few", "new" of "new ones"."""
-    return gap.tokens.stop - 1 - (gap.word in ONES and len(gap.tokens) > 1)
-
-
-def _text(document: Document, tokens: Sequence[int]) -> str:
-    return document.text[document.tokens[tokens[0]].start : document.tokens[tokens[-1]].end]

@@ -65,7 +65,9 @@ def _said_again(document: Document, task: Task, before: Task) -> Task:
     return replace(
         task,
         arguments=tuple(
-            replace(a, value=message.value, confidence=a.confidence * message.confidence) if _is_said(a) else a
+            replace(a, value=message.value, confidence=a.confidence * message.confidence)
+            if _is_said(document, a)
+            else a
             for a in task.arguments
         ),
     )
@@ -108,9 +110,10 @@ def _clause(document: Document, check: Task) -> str:
     return " ".join([thing.value, *([be] if be else ()), behind])
 
 
-def _is_said(argument: Argument) -> bool:
+def _is_said(document: Document, argument: Argument) -> bool:
     """Whether a message is no more than a word for another one: "that too"."""
-    words = [word for word in argument.value.lower().split() if word not in _ADDING]
+    said = argument.value if argument.span is None else argument.span.of(document.text)
+    words = [word for word in said.lower().split() if word not in _ADDING]
     return argument.type == "message" and len(words) == 1 and words[0] in _SAID
 
 

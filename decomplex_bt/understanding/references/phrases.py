@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.instruction import Task
@@ -253,6 +253,10 @@ def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             found[tokens.start, tokens.stop, "whole"] = _owned(document, tokens, task, argument.type, "whole")
             if argument.type != "state" and inner != tokens:
                 found[inner.start, inner.stop, "bare"] = _owned(document, inner, task, argument.type, "bare")
+    for verb, task in taken.items():
+        deed = _deed(document, verb, task, taken)
+        if deed:
+            found.setdefault((deed.start, deed.stop, "whole"), _owned(document, deed, task, "state", "deed"))
     lacking: set[int] = set()  # the "out" of "out of milk", which is a state by what there is none of
     for chunk in noun_chunks(document):
         before = chunk.start - 1
@@ -288,6 +292,18 @@ def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             text = document.span(i, stop - 1).of(document.text)
             found.setdefault((i, stop, "whole"), Candidate(text, range(i, stop), i, number, "state", kind, "clause"))
     return [found[place] for place in sorted(found)]
+
+
+def _deed(document: Document, verb: int, task: Task, verbs: Collection[int]) -> range:
+    """A task's verb with all that is said behind it, which an "if he hasn't" takes up: "*finished their cognac*"; empty
+    for a verb alone, but "been", and for what only is."""
+    token = document.tokens[verb]
+    if token.pos not in ("VERB", "AUX") or (token.lemma in ("be", "'s") and token.lower != "been"):
+        return range(0)
+    ends = [document.indices(a.span).stop for a in task.arguments if a.span and a.span.start > task.span.start]
+    stop = max(ends, default=verb + 1)
+    stop = min((other for other in verbs if verb < other < stop), default=stop)
+    return range(verb, stop) if stop > verb + 1 or token.lower == "been" else range(0)
 
 
 _OUT_OF = ("out", "of")

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.gaps import Gap, is_told_one, numbered_of, spellings
+from decomplex_bt.understanding.references.gaps import Gap, is_told_one
 from decomplex_bt.understanding.references.phrases import Candidate
+from decomplex_bt.understanding.references.spellings import numbered_of, spellings
 from decomplex_bt.understanding.references.traits import modifier, named
 from decomplex_bt.understanding.vocabulary import ONES, QUANTIFIERS
 
