@@ -3,7 +3,8 @@
     python benchmarks/references.py VOICE.yaml ...
 
 Prints, without and with what the encoder adds where it is installed: of the words that refer and of what is left unsaid
-how many are filled, or left alone, as annotated. What no phrase of the instruction can fill is left out.
+how many have their likeliest filling, or none, as annotated. What no phrase of the instruction can fill is left out, so
+figures compare only where the same words are taken to refer.
 """
 
 from __future__ import annotations
@@ -35,11 +36,11 @@ def main() -> None:
     arguments = parser.parse_args()
     try:
         domain = load_domain(arguments.domain)
+        models = domain.folder / "models"
+        references = ReferenceModel(models / REFERENCES_FILE, domain.ontology)
         found = [each for path in arguments.corpus for each in choices_in(path, domain)]
     except DecomplexError as error:
         parser.error(str(error))
-    models = domain.folder / "models"
-    references = ReferenceModel(models / REFERENCES_FILE, domain.ontology)
     report("without the encoder", found, [references.scores(choice.options) for *_, choice in found])
     if has_encoder(models):
         from decomplex_bt.understanding.encoder.model import EncoderModel

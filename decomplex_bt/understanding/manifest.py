@@ -32,7 +32,8 @@ class Manifest(Record):
     """`manifest.json`. `files`: SHA-256 of what is no CRF; `corpus`: SHA-256 over the training voices' files;
     `base`: SHA-256 of the manifest of the models that training went on from, or of the first of those whose mean it is;
     `libraries`: versions the models were made with; `language_model`: the spaCy model whose tags the features came
-    from; `references`: the voices that references and known words were learnt from, where that was done by itself."""
+    from; `references`: the voices that references and known words were learnt from, where that was done by itself, and
+    all else is said of the others."""
 
     format: int
     features_version: int
@@ -77,9 +78,10 @@ def write_manifest(
 
 
 def write_manifest_of_references(folder: Path, before: Manifest, voices: Sequence[str]) -> None:
-    """Writes the manifest of models in `folder` that are those of before but for their references and known words."""
-    files = {name: file_hash(folder / name) for name in _others(folder)}
-    _write(folder, before.model_copy(update={"files": files, "references": tuple(voices)}))
+    """Writes the manifest for models of which only the files that lie in `folder`, references and known words, are
+    others than before."""
+    renewed = {name: file_hash(folder / name) for name in _others(folder)}
+    _write(folder, before.model_copy(update={"files": before.files | renewed, "references": tuple(voices)}))
 
 
 def _write(folder: Path, manifest: Manifest) -> None:

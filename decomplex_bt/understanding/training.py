@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import tempfile
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -28,8 +27,11 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import (
+    FILES,
     LIBRARIES,
     MANIFEST_FILE,
+    Manifest,
+    check_language,
     check_models,
     corpus_hash,
     file_hash,
@@ -98,7 +100,7 @@ def train(
     folder `encoder` of `output`; an hour and a quarter on two cores. `base`: a folder with a trained encoder to go on
     from, which learns the voices that it does not know and sees some of the domain's own that it knows again.
     `references`: trains only what words refer to and which words are known, beside the models that lie in `output`
-    already; a quarter of an hour; with another corpus from the domain's own voices as well. `jobs`:
+    already, in one process; a quarter of an hour; with another corpus from the domain's own voices as well. `jobs`:
     parts that need nothing of each other run in as many processes (two at most), -1 for one a core. The test voices are
     never read.
     No model is written unless all were trained. The same corpus, `base` and libraries give the same files, with any
@@ -106,6 +108,8 @@ def train(
     anything is trained, `InputError` where the models would replace others or cannot be written, or where `base` knows
     all voices.
     """
+    if references and (encoder or base is not None):
+        raise InputError("references are trained by themselves; leave out --encoder and --from")
     loaded = domain if isinstance(domain, Domain) else load_domain(domain)
     own_corpus, own_models = loaded.folder / "corpus", loaded.folder / "models"
     corpus, output = corpus or own_corpus, output or own_models
@@ -117,9 +121,7 @@ def train(
     examples = [e for name in splits for e in read_corpus(corpus / f"{name}.yaml", loaded.ontology)]
     known = set[str]()
     if references:
-        if encoder:
-            raise InputError("references are trained for the models and the encoder at once; leave the encoder out")
-        before = check_models(output, loaded)
+        before = _models_beside(output, loaded)
         if not is_own:
             own_voices = read_voices(own_corpus)
             splits, examples = _with_own(splits, examples, own_voices, own_corpus, loaded)
@@ -136,8 +138,8 @@ def train(
     parser = Parser()
     with _scratch_in(output, target, may_replace=force or is_renewed) as folder:
         if references:
-            for name in (*(f"{model}.crf" for model in before.models), *before.files):
-                shutil.copyfile(output / name, folder / name)
+            check_language(output, parser.model_name)
+            progress("parsing")
             data = observe([e.instruction for e in examples], parser, Gazetteer.of(loaded.lexicon, loaded.kinds))
             _train_references(folder, data, loaded, progress)
             write_manifest_of_references(folder, before, tuple(splits))
@@ -162,6 +164,14 @@ def train(
         )
         _put_in_place(folder, target)
     return TrainingReport(tuple(splits), len(examples), left_out, target, held_out)
+
+
+def _models_beside(output: Path, domain: Domain) -> Manifest:
+    """The manifest of the models that references are trained for, which may be all but those. Raises `InputError` where
+    there are none, and `DataFileError` where they do not fit."""
+    if not (output / MANIFEST_FILE).exists():
+        raise InputError(f"{output} holds no models, which references go with; copy some there, or train them first")
+    return check_models(output, domain, files=sorted({*FILES} - {REFERENCES_FILE, WORDS_FILE}))
 
 
 def _with_own(

@@ -111,7 +111,7 @@ def test_a_noun_chunk_begins_with_no_s_and_may_be_a_noun_that_the_tagger_missed(
         (("the/DT", "rest/NN"), range(4, 6), "the rest of the red cup"),
         (("a/DT", "piece/NN"), range(4, 6), "a piece of the red cup"),
         (("any/DT", "that/WDT", "leak/VBP"), range(4, 7), "any red cup that leak"),
-        (("those/DT", "without/IN", "lids/NNS"), range(4, 7), "the red cup without lids"),
+        (("those/DT", "without/IN", "lids/NNS"), range(4, 7), "the red cups without lids"),
         (("the/DT", "spare/JJ"), range(4, 6), "the spare cup"),
         (("some/DT", "cold/JJ"), range(4, 6), "some cold cup"),
     ],

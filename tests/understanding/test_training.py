@@ -137,13 +137,14 @@ def test_references_are_learnt_by_themselves_beside_models_that_stay(small_corpu
     before = {file.name: file.read_bytes() for file in models.iterdir()}
     with pytest.raises(InputError, match="holds models already"):
         train(small_corpus, models, references=True)
-    with pytest.raises(InputError, match="leave the encoder out"):
+    with pytest.raises(InputError, match="leave out --encoder"):
         train(small_corpus, models, references=True, encoder=True)
-    with pytest.raises(DataFileError, match=r"manifest\.json"):
+    with pytest.raises(InputError, match="empty holds no models"):
         train(small_corpus, tmp_path / "empty", references=True)
     own = tmp_path / "own"  # a domain whose corpus is small
     shutil.copytree(household_folder, own, ignore=shutil.ignore_patterns("corpus", "encoder"))
     shutil.copytree(small_corpus, own / "corpus")
+    (own / "models" / "references.json").write_text("damaged", encoding="utf-8")  # which is mended so
     report = train(domain=own, references=True)
     after = {file.name: file.read_bytes() for file in (own / "models").iterdir()}
     changed = {name for name in after if after[name] != before[name]}

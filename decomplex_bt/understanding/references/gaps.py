@@ -27,7 +27,9 @@ _LEADING = frozenset(
 )
 _KINDS = frozenset("white red brown black green wholemeal rye plain semi-skimmed decaf".split())
 """What tells kinds of food and drink apart, which the tagger may take for nouns."""
-_TELLING = frozenset("spare yellow blue grey gray pink orange purple second third".split())
+_TELLING = frozenset("spare yellow blue grey gray pink orange purple".split())
+_ORDINALS = frozenset("first second third fourth fifth last next".split())
+"""What tells which of those named, not of what kind; see `ordinals`."""
 _ALONE = frozenset("inside five six both either each none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AMOUNTS = frozenset(
@@ -133,7 +135,8 @@ def _is_taken_up(document: Document, tokens: range) -> bool:
     """Whether words are a single one that refers, and maybe a preposition: "if she spits *it* out", "rinse it *with
     them*"."""
     inner = stripped(document, tokens)
-    return len(inner) == 1 and document.tokens[inner.start].lower in _TAKEN_UP
+    is_without = document.tokens[tokens.start].lower == "without"  # whose sense the value would lose
+    return len(inner) == 1 and document.tokens[inner.start].lower in _TAKEN_UP and not is_without
 
 
 def _is_kind(document: Document, task: Task, argument: Argument, tokens: range) -> bool:
@@ -227,7 +230,9 @@ def _is_telling(document: Document, at: int) -> bool:
     """Whether a word ends a phrase that tells things of a kind apart: "the *spare*", "some *cold*", "the *biggest*"."""
     token = document.tokens[at]
     is_last = at + 1 == len(document) or document.tokens[at + 1].pos not in ("NOUN", "PROPN", "ADJ")
-    is_adjective = token.tag in ("JJ", "JJR", "JJS") and token.lower not in _LEADING | PRONOUNS | QUANTIFIERS
+    is_adjective = (
+        token.tag in ("JJ", "JJR", "JJS") and token.lower not in _LEADING | PRONOUNS | QUANTIFIERS | _ORDINALS
+    )
     return is_last and (is_adjective or token.lower in _KINDS | _TELLING)
 
 
@@ -328,7 +333,7 @@ def last_word(document: Document, verb: int) -> str:
 def says_there_is(document: Document, task: Task) -> bool:
     """Whether a check says that there is, or is not, something that it names: "if there's a letter for me"."""
     gaps = (gap_of(document, task, a) for a in task.arguments if a.type == "object" and a.span is not None)
-    return asks_there_is(document, task) and any(gap is None or gap.form == "kind" for gap in gaps)
+    return asks_there_is(document, task) and any(gap is None or gap.form in NAMING_FORMS | {"kind"} for gap in gaps)
 
 
 def asks_there_is(document: Document, task: Task) -> bool:

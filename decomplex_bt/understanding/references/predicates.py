@@ -17,7 +17,7 @@ def predicate_options(context: Context, gap: Gap) -> list[Option]:
     mention of it says; what says that there is a thing says no state of it, and nobody is as another thing is."""
     options = [o for o in _open_options(context, gap) if not _is_of_later_mention(context, gap, o)]
     if is_bare_being(context.observed.document, gap.position):
-        options = [option for option in options if not _is_had(context, option)]
+        options = [option for option in options if not _is_had(context, option) and not _is_order(option)]
         options = _of_case_before(context, gap, options) or options
     if degree_asked(context.observed.document, gap.position):
         owners = [c.candidate.owner for c in options if c.candidate and c.type == "state"]
@@ -39,6 +39,12 @@ def predicate_options(context: Context, gap: Gap) -> list[Option]:
 def _is_ordered(candidate: Candidate) -> bool:
     """Whether a state is what an order brings about."""
     return candidate.task_type not in ("", "check_state")
+
+
+def _is_order(option: Option) -> bool:
+    """Whether an option is what an order says to do, which nothing is: "*wash the mug*, and if it is, ..."."""
+    candidate = option.candidate
+    return candidate is not None and candidate.shape == "deed" and _is_ordered(candidate)
 
 
 def _is_had(context: Context, option: Option) -> bool:

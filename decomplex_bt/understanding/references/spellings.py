@@ -16,7 +16,7 @@ _POSSESSIVES = ("'s", "\u2019s")
 _NUMBERS = COUNTS - {"one", "few", "couple", "pair"}
 _FURTHER = frozenset(("other", "more", "another"))
 _DEMONSTRATIVES = frozenset("this that these those".split())
-_SHARED = frozenset("any some one two three four five six enough none several most half".split())
+_SHARED = frozenset(("any", "some", "one"))
 _OWNING = frozenset("my your his her its our their".split())
 _KNOWN = frozenset("the these those all both".split())
 
@@ -93,8 +93,10 @@ def _of_kinds(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
     """How a thing of a kind is worded whose noun was said before: "any that leak", "the spare", "white", "mine"."""
     noun, words = noun_of(document, candidate, is_plural=None), _text(document, gap.tokens)
     if gap.form == "sort":
+        if candidate.shape == "pair":  # "those with lids" of a cup and a plate are of neither kind
+            return
         share = "the" if gap.word == "those" else _text(document, gap.tokens[:1])
-        bare = bare_of(document, candidate, is_plural=None)
+        bare = bare_of(document, candidate, is_plural=gap.word == "those" or None)
         yield f"{share} {bare} {_text(document, gap.tokens[1:])}", "modified.long"
     elif gap.form == "told":
         yield f"{words} {noun}", "modified"
@@ -160,14 +162,15 @@ def _of_things(document: Document, gap: Gap, candidate: Candidate) -> Iterator[t
 def _definite(document: Document, candidate: Candidate) -> str:
     """A candidate with an article where it is told without one: "the tomatoes" of "tomatoes", but a name."""
     first = document.tokens[candidate.tokens.start]
-    is_bare = first.pos not in ("DET", "PROPN") and first.tag != "PRP$"
+    is_owned = any(mark in candidate.text for mark in _POSSESSIVES)  # "mum's cake"
+    is_bare = first.pos not in ("DET", "PROPN") and first.tag != "PRP$" and not is_owned
     return f"the {candidate.text}" if is_bare else candidate.text
 
 
 def _is_known_several(document: Document, candidate: Candidate) -> bool:
     """Whether a candidate is several known things: "the mugs", "all her plants"."""
     first = candidate.text.split()[0].lower()
-    is_known = first in _KNOWN | _OWNING or "'s " in candidate.text
+    is_known = first in _KNOWN | _OWNING or any(f"{mark} " in candidate.text for mark in _POSSESSIVES)
     return is_known and document.tokens[candidate.head].tag in ("NNS", "NNPS")
 
 
