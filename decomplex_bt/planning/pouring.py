@@ -20,7 +20,8 @@ def wrong_fillings(task: Task, objects: Sequence[Referent], domain: Domain) -> t
     """
     for argument in task.arguments:
         preposition, words = split_preposition(argument.value, domain)
-        if argument.type == "manner" and preposition == "with" and (names := _named(words, domain)):
+        # what "with it" refers to is told without the "with"
+        if argument.type == "manner" and preposition in ("with", "") and (names := _named(words, domain)):
             return _wrong(argument.value, names, objects, domain)
     return ()
 

@@ -105,8 +105,8 @@ def train(
     never read.
     No model is written unless all were trained. The same corpus, `base` and libraries give the same files, with any
     number of jobs. Raises `DataFileError`, `TrainerMissingError` where the extra `train` is not installed, and, before
-    anything is trained, `InputError` where the models would replace others or cannot be written, or where `base` knows
-    all voices.
+    anything is trained, `InputError` where the models would replace others or cannot be written, where `base` knows
+    all voices, or where `references` have no models to go with.
     """
     if references and (encoder or base is not None):
         raise InputError("references are trained by themselves; leave out --encoder and --from")

@@ -402,6 +402,11 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
             ImpossibleGoalError,
             "nothing here fills 'the bottle' 'with coffee'",
         ),
+        (
+            "[Fill](1:change_state) [the bottle](1:object) [with it](1:manner=the coffee)",
+            ImpossibleGoalError,
+            "nothing here fills 'the bottle' 'the coffee'",
+        ),
         ("[Empty](1:change_state) [the box](1:object)", ImpossibleGoalError, "full or empty is not modelled for box"),
         (
             "[Turn](1:change_state) [the radio](1:object) [up](1:state)",

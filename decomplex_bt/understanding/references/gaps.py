@@ -32,11 +32,13 @@ _ORDINALS = frozenset("first second third fourth fifth last next".split())
 """What tells which of those named, not of what kind; see `ordinals`."""
 _ALONE = frozenset("inside five six both either each none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
-_AMOUNTS = frozenset(
-    "glass cup mug bowl plate jug bottle pan pot spoonful bit piece slice drop bucket bag box tin packet pinch splash "
-    "portion helping half third quarter".split()
+_MEASURES = frozenset(
+    "glass cup mug bowl jug bottle spoonful bit piece slice drop bucket bag packet pinch splash portion helping "
+    "handful bunch stack set bowlful litre liter pint pound loaf sheet tube jar basketful dash squirt".split()
 )
-"""What there is so much of something in, or of it."""
+"""What there is so much of something in, or of it, told alone, too: "chop *a bit*"."""
+_AMOUNTS = _MEASURES | frozenset("plate pan pot box tin half third quarter".split())
+"""What there may be so much of: "a plate *of it*"."""
 _AND = frozenset(("and", "&"))
 _CLAUSE_ENDS = frozenset("and but or then if unless when before after until please".split())
 DENYING = frozenset(("not", "n't", "n\u2019t"))
@@ -65,11 +67,6 @@ _REST = frozenset(("rest", "remainder"))
 _SORTED = frozenset("any those some".split())
 _SORTING = frozenset("that which who with without in on from under left".split())
 """What tells which of them: "any *that* have holes", "those *without* lids"."""
-_MEASURES = frozenset(
-    "glass cup mug bowl jug bottle spoonful bit piece slice drop bucket bag packet pinch splash portion helping "
-    "handful bunch stack set bowlful litre liter pint pound loaf sheet tube jar basketful dash squirt".split()
-)
-"""What there is so much of something in, or of it, told alone: "chop *a bit*"."""
 OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
 
 DETERMINERS = QUANTIFIERS | _LEADING | COUNTS | frozenset(OWN.values())
