@@ -17,7 +17,7 @@ from decomplex_bt.corpus import read_corpus
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.evaluation.proportion import Proportion
-from decomplex_bt.understanding.coreference import REFERENCES_FILE, Choice, ReferenceModel, choices_of
+from decomplex_bt.understanding.coreference import REFERENCES_FILE, Choice, ReferenceModel, choices_of, likeliest
 from decomplex_bt.understanding.damage import ENCODER_FOLDER
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.document import Parser
@@ -71,7 +71,7 @@ def report(name: str, found: list[Found], scores: list[list[float]]) -> None:
     print(f"{name}:")
     for label, is_said in (("words that refer", True), ("left unsaid", False)):
         rights = [
-            choice.right[max(range(len(own)), key=own.__getitem__)]
+            choice.right[likeliest(choice.options, own)[0]]
             for (*_, choice), own in zip(found, scores, strict=True)
             if bool(choice.gap.word) is is_said
         ]

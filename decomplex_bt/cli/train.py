@@ -27,6 +27,9 @@ def train(
             "--from", help="A folder with a trained encoder to go on from.", show_default="the pretrained one"
         ),
     ] = None,
+    rehearse: Annotated[
+        bool, typer.Option("--rehearse", help="Go on from there once over every voice, known or not.")
+    ] = False,
     force: Annotated[bool, typer.Option("--force", help="Replace models that exist already.")] = False,
     jobs: JobsOption = 1,
     format: FormatOption = None,
@@ -50,6 +53,7 @@ def train(
         encoder=encoder,
         references=references,
         base=base,
+        rehearse=rehearse,
         force=force,
         jobs=jobs,
         progress=lambda stage: remark(f"{stage} ..."),

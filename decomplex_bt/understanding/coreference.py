@@ -121,13 +121,20 @@ class ReferenceModel:
         scores = self.scores(options)
         if hints is not None:
             scores = [score + added for score, added in zip(scores, hints(gap, options), strict=True)]
-        highest = max(scores)
-        chances: dict[tuple[str, str], float] = {}
-        for option, score in zip(options, scores, strict=True):
-            chances[option.key] = chances.get(option.key, 0.0) + math.exp(score - highest)
-        best = max(chances, key=lambda key: chances[key])
-        chosen = max((i for i, o in enumerate(options) if o.key == best), key=lambda i: scores[i])
-        return options[chosen], chances[best] / sum(chances.values())
+        chosen, probability = likeliest(options, scores)
+        return options[chosen], probability
+
+
+def likeliest(options: Sequence[Option], scores: Sequence[float]) -> tuple[int, float]:
+    """Which of a gap's options (at least one) fills it, by unnormalised log probabilities, and its probability; options
+    with the same words share theirs."""
+    highest = max(scores)
+    chances: dict[tuple[str, str], float] = {}
+    for option, score in zip(options, scores, strict=True):
+        chances[option.key] = chances.get(option.key, 0.0) + math.exp(score - highest)
+    best = max(chances, key=lambda key: chances[key])
+    chosen = max((i for i, o in enumerate(options) if o.key == best), key=lambda i: scores[i])
+    return chosen, chances[best] / sum(chances.values())
 
 
 def train_references(path: Path, data: Sequence[tuple[Observed, Instruction]], ontology: Ontology) -> None:

@@ -19,6 +19,7 @@ from decomplex_bt.understanding.noise import (
     changed,
     edited,
     spans_of,
+    valued_as,
     without_case,
     without_marks,
     without_punctuation,
@@ -68,7 +69,7 @@ _TENS = "twenty thirty forty fifty sixty seventy eighty ninety".split()
 
 
 def with_fillers(instruction: Instruction, rng: np.random.Generator) -> Instruction:
-    """Words that say nothing, between the others, half of them with a comma behind."""
+    """Words that say nothing, between the others, half of them with a comma behind; no value has them."""
     text = instruction.text
     places = [match.start() for match in re.finditer(r"\S+", text)]
     chosen = [i for i in places if rng.random() < FILLER_RATE] or [places[int(rng.integers(len(places)))]]
@@ -80,7 +81,7 @@ def with_fillers(instruction: Instruction, rng: np.random.Generator) -> Instruct
             said = said[0].upper() + said[1:]
             changes.append(Change(i, i + 1, text[i].lower()))
         changes.append(Change(i, i, said))
-    return changed(instruction, changes)
+    return valued_as(changed(instruction, changes), instruction)
 
 
 def with_slips(instruction: Instruction, rng: np.random.Generator) -> Instruction:

@@ -42,6 +42,7 @@ from decomplex_bt.understanding.rules.orders.assurances import with_denied
 from decomplex_bt.understanding.rules.spans.completion import answered, completed, reported, retracted
 from decomplex_bt.understanding.rules.spans.levels import with_levels
 from decomplex_bt.understanding.rules.spans.relatives import without_stated
+from decomplex_bt.understanding.rules.speech.edits import without_hesitation
 from decomplex_bt.understanding.rules.speech.marks import marked
 from decomplex_bt.understanding.rules.speech.repairs import repaired
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
@@ -272,7 +273,7 @@ def check_text(text: str) -> None:
 def _argument(document: Document, argument: FoundArgument, confidence: float, taken: Container[int]) -> Argument:
     tokens = completed(document, argument.tokens, taken)
     span = document.span(tokens.start, tokens.stop - 1)
-    return Argument(argument.type, span.of(document.text), span, confidence)
+    return Argument(argument.type, without_hesitation(span.of(document.text)), span, confidence)
 
 
 def without_rivals(arguments: Sequence[Argument], check: int = 0) -> tuple[Argument, ...]:

@@ -85,6 +85,18 @@ def changed(instruction: Instruction, changes: Iterable[Change]) -> Instruction:
     return copy
 
 
+def valued_as(copy: Instruction, instruction: Instruction) -> Instruction:
+    """A changed copy with the values that the instruction has."""
+    tasks = (
+        replace(
+            task,
+            arguments=tuple(replace(a, value=b.value) for a, b in zip(task.arguments, before.arguments, strict=True)),
+        )
+        for task, before in zip(copy.tasks, instruction.tasks, strict=True)
+    )
+    return replace(copy, tasks=tuple(tasks))
+
+
 def spans_of(instruction: Instruction) -> Iterator[Span]:
     """The spans of all tasks and arguments."""
     for task in instruction.tasks:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import tempfile
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
@@ -59,6 +60,9 @@ EDITS = (without_punctuation, without_apostrophes)
 DISTURBED = ("typing slips", "speech recogniser")
 """The disturbances in copies that the encoder alone is trained on."""
 
+REHEARSED = 0.2
+"""Share of the instructions that are gone over once more of which there are copies to learn from, too."""
+
 KEPT = 3
 """One voice in so many is read by models that never saw it, to learn the choice among readings."""
 
@@ -88,6 +92,7 @@ def train(
     encoder: bool = False,
     references: bool = False,
     base: Path | None = None,
+    rehearse: bool = False,
     force: bool = False,
     jobs: int = 1,
     progress: Progress = lambda stage: None,
@@ -98,7 +103,8 @@ def train(
     `force`, but for the domain's own when they are made anew from its own corpus. `encoder`: trains the pretrained
     encoder instead, on the voices of "train", with those of "development" for the choice among readings, into the
     folder `encoder` of `output`; an hour and a quarter on two cores. `base`: a folder with a trained encoder to go on
-    from, which learns the voices that it does not know and sees some of the domain's own that it knows again.
+    from, which learns the voices that it does not know and sees some of the domain's own that it knows again;
+    `rehearse`: it goes once over all of them instead, known or not.
     `references`: trains only what words refer to and which words are known, beside the models that lie in `output`
     already, in one process; a quarter of an hour; with another corpus from the domain's own voices as well. `jobs`:
     parts that need nothing of each other run in as many processes (two at most), -1 for one a core. The test voices are
@@ -110,6 +116,8 @@ def train(
     """
     if references and (encoder or base is not None):
         raise InputError("references are trained by themselves; leave out --encoder and --from")
+    if rehearse and base is None:
+        raise InputError("nothing but what is trained already can be rehearsed; tell where it lies with --from")
     loaded = domain if isinstance(domain, Domain) else load_domain(domain)
     own_corpus, own_models = loaded.folder / "corpus", loaded.folder / "models"
     corpus, output = corpus or own_corpus, output or own_models
@@ -133,8 +141,8 @@ def train(
         known = set(check_models(base, loaded, models=(), files=FOLDER_FILES).voices)
         if not is_own:
             splits, examples = _with_own(splits, examples, known, own_corpus, loaded)
-        if all(name in known for name, split in splits.items() if split == "train"):
-            raise InputError(f"the encoder in {base} knows every training voice of {corpus}; add one, or train anew")
+        if not rehearse and all(name in known for name, split in splits.items() if split == "train"):
+            raise InputError(f"the encoder in {base} knows every training voice of {corpus}; add one, or --rehearse")
     parser = Parser()
     with _scratch_in(output, target, may_replace=force or is_renewed) as folder:
         if references:
@@ -148,7 +156,16 @@ def train(
         if encoder:
             for_choice = {name for name, split in splits.items() if split == "development"}
             left_out, held_out = train_with_encoder(
-                folder, examples, for_choice, loaded, parser, base=base, known=known, jobs=jobs, progress=progress
+                folder,
+                examples,
+                for_choice,
+                loaded,
+                parser,
+                base=base,
+                known=known,
+                rehearse=rehearse,
+                jobs=jobs,
+                progress=progress,
             )
         else:
             left_out, held_out = train_models(folder, examples, loaded, parser, jobs=jobs, progress=progress)
@@ -258,27 +275,25 @@ def train_with_encoder(
     *,
     base: Path | None = None,
     known: Container[str] = (),
+    rehearse: bool = False,
     jobs: int = 1,
     progress: Progress = lambda stage: None,
 ) -> tuple[int, Mapping[str, tuple[int, int]]]:
     """Trains the encoder and the flow network into `folder`; the voices in `for_choice` only teach the choice among
     readings and its confidence. `base`: a folder with trained ones to go on from, which have learnt from the voices in
-    `known`. Gives what `train_models` does."""
+    `known`, or, to `rehearse`, go once over all. Gives what `train_models` does."""
     from joblib import delayed
 
-    from decomplex_bt.understanding.encoder.fitting import Lessons
+    from decomplex_bt.understanding.encoder.fitting import REHEARSAL, Lessons
     from decomplex_bt.understanding.encoder.flow_training import train_flow_network
     from decomplex_bt.understanding.encoder.model import EncoderModel
     from decomplex_bt.understanding.encoder.referents import train_share
     from decomplex_bt.understanding.encoder.stages import encoder_stages
     from decomplex_bt.understanding.encoder.training import FURTHER, train_encoder
 
-    fresh = [e for e in examples if e.voice in for_choice or e.voice not in known]
-    seen = [e.instruction for e in examples if e.voice not in for_choice and e.voice in known]
-    most = int(FURTHER.epochs * FURTHER.known * sum(e.voice not in for_choice for e in fresh))  # what all epochs see
-    if len(seen) > most:
-        seen = [seen[i] for i in sorted(np.random.default_rng(0).choice(len(seen), most, replace=False))]
-    data = _corpus(fresh, domain, parser, progress)
+    taught = [e for e in examples if e.voice not in for_choice]
+    fresh, seen = _rehearsed(taught) if rehearse else _new(taught, known, FURTHER.epochs * FURTHER.known)
+    data = _corpus([*fresh, *(e for e in examples if e.voice in for_choice)], domain, parser, progress)
     learnt = data.only([voice not in for_choice for voice in data.voices])
     kept = data.only([voice in for_choice for voice in data.voices])
     again = observe(seen, parser, Gazetteer.of(domain.lexicon, domain.kinds))
@@ -286,12 +301,14 @@ def train_with_encoder(
     recombinations = _recombinations(learnt.plain, domain, parser)
     noised = [*chain.from_iterable(learnt.noised), *learnt.filled, *disturbed]
     for_flow = [*learnt.for_flow()[len(learnt.plain) :], *disturbed]
+    plain, reminders = ([*learnt.plain, *again], []) if rehearse else (learnt.plain, again)
+    pace = REHEARSAL if rehearse else None
     with tempfile.TemporaryDirectory() as scratch:  # models that, like the encoder, never saw the voices kept back
         calls = (
-            delayed(fitted)(folder, lessons, domain.ontology, base=base, progress=progress)
+            delayed(fitted)(folder, lessons, domain.ontology, base=base, pace=pace, progress=progress)
             for fitted, lessons in (
-                (train_encoder, Lessons(learnt.plain, noised, recombinations, again)),
-                (train_flow_network, Lessons(learnt.plain, for_flow, recombinations, again)),
+                (train_encoder, Lessons(plain, noised, recombinations, reminders)),
+                (train_flow_network, Lessons(plain, for_flow, recombinations, reminders)),
             )
         )
         flow = delayed(train_flow)(Path(scratch), [*learnt.for_flow(), *again, *recombinations])
@@ -304,6 +321,29 @@ def train_with_encoder(
         held_out = _train_choice(folder, list(_held(kept, stages, domain)))
         train_share(folder, model, ReferenceModel(path, domain.ontology), kept.plain, domain.ontology)
     return left_out, held_out
+
+
+def _new(
+    examples: Sequence[Example], known: Container[str], most_seen: float
+) -> tuple[list[Example], list[Instruction]]:
+    """The examples of voices that are not known, and instructions of others, drawn by chance, to be seen again: at most
+    so many for each new one."""
+    fresh = [e for e in examples if e.voice not in known]
+    seen = [e.instruction for e in examples if e.voice in known]
+    most = int(most_seen * len(fresh))
+    if len(seen) > most:
+        seen = [seen[i] for i in sorted(np.random.default_rng(0).choice(len(seen), most, replace=False))]
+    return fresh, seen
+
+
+def _rehearsed(examples: Sequence[Example]) -> tuple[list[Example], list[Instruction]]:
+    """All examples in two: those, drawn by chance, of which copies are made, and the instructions of the others."""
+    count = math.ceil(REHEARSED * len(examples))
+    drawn = set(np.random.default_rng(0).choice(len(examples), count, replace=False).tolist())
+    return (
+        [e for i, e in enumerate(examples) if i in drawn],
+        [e.instruction for i, e in enumerate(examples) if i not in drawn],
+    )
 
 
 def _disturbed(

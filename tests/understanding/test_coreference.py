@@ -13,7 +13,7 @@ from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.understanding.coreference import ReferenceModel, train_references
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
@@ -99,6 +99,23 @@ def test_a_noun_chunk_begins_with_no_s_and_may_be_a_noun_that_the_tagger_missed(
         "where/WRB", "'s/POS", "grandpa/NN", "wants/VBZ", "her/PRP$", "key/JJ", "on/IN", "his/PRP$", "own/JJ"
     )
     assert list(noun_chunks(doc)) == [range(2, 3), range(4, 6)]
+
+
+@pytest.mark.parametrize(
+    ("words", "chunks"),
+    [
+        (("someone/NN", "'s/POS", "socks/NNS", "are/VBP", "wet/RB"), [range(3)]),
+        (("on/IN", "somebody/NN", "else/RB", "'s/POS", "blue/JJ", "coat/NN"), [range(1, 6)]),
+    ],
+)
+def test_a_noun_chunk_begins_with_somebody_unnamed_whose_thing_it_is(words, chunks):
+    assert list(noun_chunks(document(*words))) == chunks
+
+
+def test_a_noun_chunk_begins_with_a_participle_that_tells_which():
+    parsed = Parser().parse("Running shoes by the door need cleaning, dried beans go in the jar.")
+    texts = [parsed.span(chunk.start, chunk.stop - 1).of(parsed.text) for chunk in noun_chunks(parsed)]
+    assert texts == ["Running shoes", "the door", "cleaning", "dried beans", "the jar"]
 
 
 @pytest.mark.parametrize(

@@ -94,8 +94,11 @@ def test_only_hesitations_come_between_the_words_of_an_argument(ontology, monkey
     monkeypatch.setattr(disturbances, "FILLER_RATE", 1.0)
     marked = "[Bring](1:bringing) [the old blue woollen winter coat](1:object)"
     copy = with_fillers(read_markup(marked, ontology, flow=[1]), np.random.default_rng(2))
-    words = copy.tasks[0].arguments[0].value.replace(",", "").split()
-    assert words[::2] == "the old blue woollen winter coat".split()
+    (coat,) = copy.tasks[0].arguments
+    assert coat.span is not None
+    assert coat.value == "the old blue woollen winter coat"
+    words = coat.span.of(copy.text).replace(",", "").split()
+    assert words[::2] == coat.value.split()
     assert set(words[1::2]) <= set(disturbances.HESITATIONS)
 
 

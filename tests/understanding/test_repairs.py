@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.remainder import without
+from decomplex_bt.understanding.rules.speech.edits import without_hesitation
 from decomplex_bt.understanding.rules.speech.repairs import repaired
 
 WORDS = "if it is no , um open the door - sorry . close get I mean and then".split()
@@ -349,11 +350,43 @@ def test_an_answer_or_a_remark_takes_no_order_back(interpreter: Interpreter, tex
         ("Take this, er, box to the shed.", "this box"),
         ("Fetch my, uh, slippers.", "my slippers"),
         ("Get the, um, plug out of the basin.", "the plug"),
+        ("Dust the uhm, bookcase.", "the bookcase"),
+        ("Fetch my big er, cardigan.", "my big cardigan"),
+        ("Wash the baby's uh, bib.", "the baby's bib"),
     ],
 )
 def test_a_hesitation_between_marks_parts_no_phrase(text: str, thing: str) -> None:
     (task,) = Interpreter.load().interpret(text).tasks
     assert task.value("object") == thing
+
+
+@pytest.mark.parametrize(
+    ("text", "left_over"),
+    [
+        ("Look in, um, the shed.", "Look in the shed."),
+        ("Put it on erm, his desk.", "Put it on his desk."),
+        ("Ask her to uhm, water it.", "Ask her to water it."),
+        ("Fill the jug, um, then bring it.", "Fill the jug, um, then bring it."),
+        ("Go to the kitchen, er, if it is empty.", "Go to the kitchen, er, if it is empty."),
+    ],
+)
+def test_a_hesitation_goes_with_its_marks_where_words_belong_to_what_is_ahead(
+    parser: Parser, text: str, left_over: str
+) -> None:
+    assert left(parser, text) == left_over
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        ("on his way uh, home", "on his way home"),
+        ("the pantry, um, behind the pasta", "the pantry behind the pasta"),
+        ("a bib, uhm two muslins", "a bib, two muslins"),
+        ("er the umbrella", "the umbrella"),
+    ],
+)
+def test_a_value_has_no_hesitation(words: str, expected: str) -> None:
+    assert without_hesitation(words) == expected
 
 
 @pytest.mark.parametrize(

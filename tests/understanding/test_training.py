@@ -1,9 +1,12 @@
 """Training is reproducible, leaves the test voices alone and writes all or nothing."""
 
+import math
 import shutil
+from dataclasses import replace
 
 import pytest
 
+from decomplex_bt.corpus import read_corpus
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import DataFileError, InputError
 from decomplex_bt.understanding import manifest, training
@@ -124,11 +127,22 @@ def test_training_does_not_go_on_where_nothing_is_new_or_names_clash(small_corpu
     voices.write_text("voices:\n  keep: {description: b, split: test}\n", encoding="utf-8")
     with pytest.raises(InputError, match=r"base knows every training voice of .*corpus; add one"):
         go_on()
+    with pytest.raises(InputError, match=r"trained already can be rehearsed; .* --from"):
+        train(small_corpus, tmp_path / "models", encoder=True, rehearse=True)
     shutil.copyfile(small_corpus / "learn.yaml", small_corpus / "walt.yaml")
     voices.write_text("voices:\n  walt: {description: b, split: train}\n", encoding="utf-8")
     with pytest.raises(InputError, match="'walt' is a voice of the domain's own corpus, too; give yours another name"):
         go_on()
     assert not untaught
+
+
+def test_what_is_rehearsed_is_all_and_a_fifth_of_it_is_copied(small_corpus):
+    ontology = load_domain("household").ontology
+    examples = [replace(e, id=str(i)) for i, e in enumerate(read_corpus(small_corpus / "learn.yaml", ontology) * 5)]
+    copied, others = training._rehearsed(examples)
+    assert len(copied) == math.ceil(len(examples) / 5)
+    assert len(copied) + len(others) == len(examples)
+    assert training._rehearsed(examples)[0] == copied, "the same ones each time"
 
 
 def test_references_are_learnt_by_themselves_beside_models_that_stay(small_corpus, tmp_path, household_folder):

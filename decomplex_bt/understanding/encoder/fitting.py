@@ -61,6 +61,10 @@ class Pace:
     kept: float = 0.0
 
 
+REHEARSAL = Pace(epochs=1, noised=0.15, recombined=0.1, encoder_rate=1e-4, heads_rate=5e-4)
+"""For a network that goes once over all that it has learnt, and what is new."""
+
+
 def fit(
     network: Any,
     lessons: Lessons[S],

@@ -37,6 +37,7 @@ def _chunked(document: Document) -> Iterator[range]:
 
 _CAUSING = frozenset(("get", "have", "let"))
 _BEHIND_LET = frozenset("and but then for before after while until till if unless".split())
+_UNNAMED = frozenset(body + person for body in ("some", "any", "every", "no") for person in ("one", "body"))
 _TIMES = frozenset("yesterday today tonight tomorrow now later".split())
 
 
@@ -44,8 +45,10 @@ def _is_nominal(document: Document, i: int, is_inside: bool) -> bool:
     token = document.tokens[i]
     if token.tag == "POS" and not is_inside:
         return False  # "where's grandpa"
-    if token.pos in ("DET", "ADJ", "NOUN", "PROPN", "NUM") or token.tag in ("PRP$", "POS"):
+    if token.pos in ("DET", "ADJ", "NOUN", "PROPN", "NUM") or token.tag in ("PRP$", "POS") or _owns(document, i):
         return True
+    if token.dep == "amod" and token.tag in ("RB", "VBN", "VBG") and i < token.head <= i + 2:
+        return document.tokens[token.head].pos in ("NOUN", "PROPN")  # "back tyre", "dried beans"
     if not is_inside or i + 1 >= len(document):
         return False
     following = document.tokens[i + 1]
@@ -54,6 +57,16 @@ def _is_nominal(document: Document, i: int, is_inside: bool) -> bool:
     if _is_within_compound(document, i) or ends_compound(document, i):
         return True
     return token.tag in ("VBG", "VBN") and following.pos in ("NOUN", "PROPN")
+
+
+def _owns(document: Document, i: int) -> bool:
+    """Whether a word is somebody unnamed, or the "else" behind one, whose thing follows ("someone else's socks")."""
+    words = [token.lower for token in document.tokens[max(0, i - 1) : i + 4]]
+    words = words if i else ["", *words]
+    is_one = words[1] in _UNNAMED or (words[1] == "else" and words[0] in _UNNAMED)
+    end = i + 2 if words[1] in _UNNAMED and words[2:3] == ["else"] else i + 1
+    owning = document.tokens[end : end + 2]
+    return is_one and len(owning) == 2 and owning[0].tag == "POS" and owning[1].pos in ("NOUN", "PROPN", "ADJ", "NUM")
 
 
 def stripped(document: Document, tokens: range) -> range:

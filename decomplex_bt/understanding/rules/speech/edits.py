@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
@@ -12,11 +13,12 @@ LONGEST = 6
 """The most words that are said over again."""
 DOTS = frozenset(("...", "…"))
 MARKS = frozenset((",", "-", "–", "—", *DOTS))
-HESITATING = frozenset("um uh er erm".split())
-FILLERS = MARKS | HESITATING | frozenset("ah hmm like well sorry wait no please".split())
+HESITATING = frozenset("um umm uhm uh uhh er err erm ehm hm hmm".split())
+_HESITATION = re.compile(r"(,\s*)?\b(?:" + "|".join(sorted(HESITATING)) + r")\b(?:,\s*|\s+)", re.IGNORECASE)
+FILLERS = MARKS | HESITATING | frozenset("ah like well sorry wait no please".split())
 """What may stand between something and its being said over again."""
 DENYING = frozenset(("no", "nope", "nah"))
-EDITING = MARKS | HESITATING | DENYING | frozenset("ah hmm oh well sorry wait actually okay ok or just".split())
+EDITING = MARKS | HESITATING | DENYING | frozenset("ah oh well sorry wait actually okay ok or just".split())
 _PHRASES = tuple(
     tuple(phrase.split())
     for phrase in (
@@ -65,6 +67,11 @@ _SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
 _OBJECTS = frozenset(("it", "them"))
 _IDLE_SUBJECTS = TURNING | {"sorry"}
 """What is taken for the subject of an order behind it: "no *wait* put it here"."""
+
+
+def without_hesitation(words: str) -> str:
+    """A phrase without the "um" in it and the marks that set it off: "the big, um, box"."""
+    return _HESITATION.sub(lambda found: " " if found[1] and found[0].rstrip().endswith(",") else found[1] or "", words)
 
 
 @dataclass(frozen=True, slots=True)

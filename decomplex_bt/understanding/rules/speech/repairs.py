@@ -26,10 +26,15 @@ from decomplex_bt.understanding.rules.speech.introductions import introductions
 from decomplex_bt.understanding.rules.speech.remarks import bracketed, described, remarks
 from decomplex_bt.understanding.rules.speech.replacements import order_before, put_otherwise, puts_right, takes_up
 from decomplex_bt.understanding.rules.speech.restarts import said_over
+from decomplex_bt.understanding.vocabulary import PREPOSITIONS
 
 _TAGGING = frozenset("is are was were do does did has have had ai".split())
 _NOTS = frozenset(("n't", "nt"))
 _TAGGED = frozenset("it he she they there we you i that".split())
+_BEHIND_PREPOSITIONS = frozenset(("DT", "PRP", "PRP$", "JJ", "CD", "NN", "NNS", "NNP", "NNPS", "VB"))
+"""Tags of what a preposition, or the "to" of a verb, goes with."""
+_UNFINISHED_TAGS = frozenset(("PRP$", "POS"))
+_WITHIN_NOUNS = frozenset(("det", "amod", "compound", "nummod", "poss"))
 
 
 def repaired(document: Document) -> frozenset[int]:
@@ -57,28 +62,30 @@ def repaired(document: Document) -> frozenset[int]:
 
 def _hesitations(said: Said) -> Iterator[range]:
     """Every "um" that no mark sets off ("on the *uh* table", "if it's big *um* tell Dad"), with a "you know" beside it,
-    and a "you know" right behind an article; it says nothing, and parts what belongs together. So does one between
-    marks behind an article ("the*, um,* table")."""
+    and a "you know" right behind an article; it says nothing, and parts what belongs together. So does one with marks,
+    if words go on behind it that the one before belongs to ("the*, um,* table", "my big *er,* coat")."""
     words, i = said.words, 0
     while i < len(words):
         stop = i
         while stop < len(words) and (length := _hesitation(said, i, stop)):
             stop += length
-        if (
-            stop > i
-            and stop - i < len(words)
-            and MARKS.isdisjoint((*words[max(0, i - 1) : i], *words[stop : stop + 1]))
-        ):
-            yield range(i, stop)
-        elif stop > i > 1 and {*words[i - 1 : i], *words[stop : stop + 1]} <= MARKS and _is_parted(said, i - 2, stop):
-            yield range(i - 1, stop + 1)
+        first = i - 1 if words[max(0, i - 1)] in MARKS else i
+        end = stop + 1 if words[min(stop, len(words) - 1)] in MARKS else stop
+        is_unmarked = (first, end) == (i, stop) and stop - i < len(words)
+        if stop > i and (is_unmarked or (first > 0 and end < len(words) and _goes_on(said, first - 1, end))):
+            yield range(first, end)
         i = max(stop, i + 1)
 
 
-def _is_parted(said: Said, article: int, stop: int) -> bool:
-    """Whether a word is the article or the like of a noun behind a token."""
-    token = said.document.tokens[article]
-    return token.tag in ("DT", "PRP$") and token.head > stop
+def _goes_on(said: Said, before: int, behind: int) -> bool:
+    """Whether the word before a hesitation belongs to words behind it: the article or the like of a noun, or what
+    stands ahead of a phrase ("in, um, the shed")."""
+    tokens = said.document.tokens
+    token, following = tokens[before], tokens[behind]
+    if token.tag in ("IN", "TO"):
+        return said.words[before] in PREPOSITIONS and following.tag in _BEHIND_PREPOSITIONS
+    # The parser may take the "um" for a noun: "the uhm, table".
+    return token.tag in _UNFINISHED_TAGS or (token.dep in _WITHIN_NOUNS and token.head > before)
 
 
 def _hesitation(said: Said, start: int, at: int) -> int:
