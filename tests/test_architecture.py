@@ -17,12 +17,13 @@ import decomplex_bt
 SOURCE = Path(decomplex_bt.__file__).parent
 ENVS = Path(sys.modules["decomplex_bt.envs"].__path__[0])
 
-BASIC = frozenset({"errors", "flow", "instruction", "phrases", "domain", "corpus", "processes"})
+BASIC = frozenset({"errors", "flow", "instruction", "phrases", "hesitation", "domain", "corpus", "processes"})
 MAY_IMPORT: dict[str, frozenset[str]] = {
     "errors": frozenset({"instruction"}),
     "flow": frozenset({"errors"}),
     "instruction": frozenset({"errors", "flow", "phrases"}),
     "phrases": frozenset({"instruction"}),
+    "hesitation": frozenset(),
     "domain": frozenset({"errors", "flow", "instruction", "domains"}),
     "domains": frozenset(),
     "processes": frozenset(),

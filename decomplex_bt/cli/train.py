@@ -28,7 +28,7 @@ def train(
         ),
     ] = None,
     rehearse: Annotated[
-        bool, typer.Option("--rehearse", help="Go on from there once over every voice, known or not.")
+        bool, typer.Option("--rehearse", help="With --from: once over every training voice, known or not.")
     ] = False,
     force: Annotated[bool, typer.Option("--force", help="Replace models that exist already.")] = False,
     jobs: JobsOption = 1,

@@ -9,6 +9,7 @@ from dataclasses import replace
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.nouns import singulars
 from decomplex_bt.errors import ImpossibleGoalError, InputError
+from decomplex_bt.hesitation import without_hesitation
 from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.modifiers import (
     PICKS,
@@ -74,7 +75,8 @@ def read_argument(argument: Argument, text: str, domain: Domain) -> tuple[NounPh
     Raises what `read_phrases` does.
     """
     phrases = read_phrases(argument.value, domain)
-    preposition, said = split_preposition(argument.span.of(text) if argument.span is not None else "", domain)
+    words = without_hesitation(argument.span.of(text)) if argument.span is not None else ""
+    preposition, said = split_preposition(words, domain)
     if said == split_preposition(argument.value, domain)[1]:
         return phrases
     if len(phrases) == 1 and _OF_THEM.sub("", said) in _EACH_OF_THEM:

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.hesitation import without_hesitation
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.phrases import named_by, rooms_of
@@ -42,7 +43,7 @@ def with_places_told(instruction: Instruction, task: Task, domain: Domain) -> Ta
         if alone is not None:
             if (value := _beside(task, alone["who"], domain)) is not None:
                 task = _with_value(task, argument, value)
-        elif argument.span is not None and argument.value == argument.span.of(instruction.text):
+        elif argument.span is not None and argument.value == without_hesitation(argument.span.of(instruction.text)):
             task = _told(instruction, task, argument, domain)
     return task
 

@@ -15,6 +15,7 @@ from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.domain.verbs import sense_of
 from decomplex_bt.errors import InputError, check_jobs, quoted
 from decomplex_bt.flow import Flow
+from decomplex_bt.hesitation import without_hesitation
 from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
 from decomplex_bt.processes import results
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
@@ -42,7 +43,6 @@ from decomplex_bt.understanding.rules.orders.assurances import with_denied
 from decomplex_bt.understanding.rules.spans.completion import answered, completed, reported, retracted
 from decomplex_bt.understanding.rules.spans.levels import with_levels
 from decomplex_bt.understanding.rules.spans.relatives import without_stated
-from decomplex_bt.understanding.rules.speech.edits import without_hesitation
 from decomplex_bt.understanding.rules.speech.marks import marked
 from decomplex_bt.understanding.rules.speech.repairs import repaired
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
@@ -203,7 +203,7 @@ class Interpreter:
         certainty = self._calibration.of("flow", belief.flow)
         return Instruction(
             text=document.text,
-            tasks=tasks,
+            tasks=tuple(map(_without_hesitations, tasks)),
             flow=reading.flow,
             missing=tuple(missing_arguments(observed, tasks, reading.flow, self.domain)),
             warnings=tuple(warnings_of(observed, tasks)),
@@ -273,7 +273,13 @@ def check_text(text: str) -> None:
 def _argument(document: Document, argument: FoundArgument, confidence: float, taken: Container[int]) -> Argument:
     tokens = completed(document, argument.tokens, taken)
     span = document.span(tokens.start, tokens.stop - 1)
-    return Argument(argument.type, without_hesitation(span.of(document.text)), span, confidence)
+    return Argument(argument.type, span.of(document.text), span, confidence)
+
+
+def _without_hesitations(task: Task) -> Task:
+    return replace(
+        task, arguments=tuple(replace(each, value=without_hesitation(each.value)) for each in task.arguments)
+    )
 
 
 def without_rivals(arguments: Sequence[Argument], check: int = 0) -> tuple[Argument, ...]:

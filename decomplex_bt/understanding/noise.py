@@ -86,11 +86,14 @@ def changed(instruction: Instruction, changes: Iterable[Change]) -> Instruction:
 
 
 def valued_as(copy: Instruction, instruction: Instruction) -> Instruction:
-    """A changed copy with the values that the instruction has."""
+    """A changed copy with the values that the instruction has; where upper and lower case alone differ, its own."""
     tasks = (
         replace(
             task,
-            arguments=tuple(replace(a, value=b.value) for a, b in zip(task.arguments, before.arguments, strict=True)),
+            arguments=tuple(
+                a if a.value.lower() == b.value.lower() else replace(a, value=b.value)
+                for a, b in zip(task.arguments, before.arguments, strict=True)
+            ),
         )
         for task, before in zip(copy.tasks, instruction.tasks, strict=True)
     )

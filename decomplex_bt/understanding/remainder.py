@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Container, Sequence
 from dataclasses import dataclass, replace
 
+from decomplex_bt.hesitation import HESITATING, without_hesitation
 from decomplex_bt.instruction import Argument, Instruction, Span
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.rules.speech.edits import HESITATING
 from decomplex_bt.understanding.vocabulary import PREPOSITIONS
 
 COMMA, STOP, QUESTION = -1, -2, -3
@@ -98,9 +98,8 @@ def restored(
         between = text[places[first - 2] + 1 : places[first]].lower().replace(",", " ").split() if first > 0 else []
         is_apart = not HESITATING.issuperset(between)  # "on um the table" is put once
         if is_apart and instruction.text[span.start : first - 1].lower() in PREPOSITIONS:
-            value = (
-                instruction.text[first : span.end] if argument.value == span.of(instruction.text) else argument.value
-            )
+            is_quoted = argument.value == without_hesitation(span.of(instruction.text))
+            value = without_hesitation(instruction.text[first : span.end]) if is_quoted else argument.value
             return replace(argument, value=value, span=moved(Span(first, span.end)))
         return replace(argument, span=moved(span))
 

@@ -104,7 +104,7 @@ def train(
     encoder instead, on the voices of "train", with those of "development" for the choice among readings, into the
     folder `encoder` of `output`; an hour and a quarter on two cores. `base`: a folder with a trained encoder to go on
     from, which learns the voices that it does not know and sees some of the domain's own that it knows again;
-    `rehearse`: it goes once over all of them instead, known or not.
+    `rehearse`: it goes once over all training voices instead, known or not.
     `references`: trains only what words refer to and which words are known, beside the models that lie in `output`
     already, in one process; a quarter of an hour; with another corpus from the domain's own voices as well. `jobs`:
     parts that need nothing of each other run in as many processes (two at most), -1 for one a core. The test voices are
@@ -112,10 +112,11 @@ def train(
     No model is written unless all were trained. The same corpus, `base` and libraries give the same files, with any
     number of jobs. Raises `DataFileError`, `TrainerMissingError` where the extra `train` is not installed, and, before
     anything is trained, `InputError` where the models would replace others or cannot be written, where `base` knows
-    all voices, or where `references` have no models to go with.
+    all voices and is not to `rehearse` them, where there is no `base` or no training voice to do so, or where
+    `references` have no models to go with.
     """
-    if references and (encoder or base is not None):
-        raise InputError("references are trained by themselves; leave out --encoder and --from")
+    if references and (encoder or rehearse or base is not None):
+        raise InputError("references are trained by themselves; leave out --encoder, --from and --rehearse")
     if rehearse and base is None:
         raise InputError("nothing but what is trained already can be rehearsed; tell where it lies with --from")
     loaded = domain if isinstance(domain, Domain) else load_domain(domain)
@@ -141,6 +142,8 @@ def train(
         known = set(check_models(base, loaded, models=(), files=FOLDER_FILES).voices)
         if not is_own:
             splits, examples = _with_own(splits, examples, known, own_corpus, loaded)
+        if rehearse and "train" not in splits.values():
+            raise InputError(f"{corpus} has no training voice to go over; add one")
         if not rehearse and all(name in known for name, split in splits.items() if split == "train"):
             raise InputError(f"the encoder in {base} knows every training voice of {corpus}; add one, or --rehearse")
     parser = Parser()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import replace
 
 import pytest
@@ -12,7 +13,7 @@ from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
-from decomplex_bt.understanding.coreference import ReferenceModel, train_references
+from decomplex_bt.understanding.coreference import ReferenceModel, likeliest, train_references
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
@@ -22,6 +23,7 @@ from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import gap_of, unsaid_gaps
 from decomplex_bt.understanding.references.nouns import noun_of
+from decomplex_bt.understanding.references.options import Option
 from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, predicates_of
 from decomplex_bt.understanding.references.spellings import part_of, spellings
 
@@ -70,6 +72,13 @@ def test_the_same_data_gives_the_same_file(tmp_path):
     assert json.loads((tmp_path / "a").read_text(encoding="utf-8"))
 
 
+def test_options_with_the_same_words_share_their_chances():
+    options = [Option(None, "object", text, ()) for text in ("the cup", "the pen", "the pen")]
+    chosen, probability = likeliest(options, [0.5, 0.0, 0.1])
+    assert chosen == 2
+    assert probability == pytest.approx((1 + math.exp(0.1)) / (1 + math.exp(0.1) + math.exp(0.5)))
+
+
 def test_a_broken_file_is_named(tmp_path):
     (tmp_path / "r.json").write_text("[1]", encoding="utf-8")
     with pytest.raises(DataFileError, match=r"r\.json.*decomplex-bt train"):
@@ -102,14 +111,19 @@ def test_a_noun_chunk_begins_with_no_s_and_may_be_a_noun_that_the_tagger_missed(
 
 
 @pytest.mark.parametrize(
-    ("words", "chunks"),
+    ("text", "chunks"),
     [
-        (("someone/NN", "'s/POS", "socks/NNS", "are/VBP", "wet/RB"), [range(3)]),
-        (("on/IN", "somebody/NN", "else/RB", "'s/POS", "blue/JJ", "coat/NN"), [range(1, 6)]),
+        ("Give Anna somebody else's coat.", ["Anna", "somebody else's coat"]),
+        ("Take no one else's socks.", ["no one else's socks"]),
+        ("Someone's socks are in our load.", ["Someone's socks", "our load"]),
+        ("Somebody's left a pram on the landing.", ["a pram", "the landing"]),
+        ("Check if somebody's home.", ["home"]),
+        ("Bring me back milk.", ["milk"]),
     ],
 )
-def test_a_noun_chunk_begins_with_somebody_unnamed_whose_thing_it_is(words, chunks):
-    assert list(noun_chunks(document(*words))) == chunks
+def test_what_somebody_unnamed_has_is_a_chunk_of_its_own(text, chunks):
+    parsed = Parser().parse(text)
+    assert [parsed.span(chunk.start, chunk.stop - 1).of(text) for chunk in noun_chunks(parsed)] == chunks
 
 
 def test_a_noun_chunk_begins_with_a_participle_that_tells_which():

@@ -129,6 +129,8 @@ def test_training_does_not_go_on_where_nothing_is_new_or_names_clash(small_corpu
         go_on()
     with pytest.raises(InputError, match=r"trained already can be rehearsed; .* --from"):
         train(small_corpus, tmp_path / "models", encoder=True, rehearse=True)
+    with pytest.raises(InputError, match=r"references are trained by themselves"):
+        train(small_corpus, tmp_path / "models", references=True, rehearse=True)
     shutil.copyfile(small_corpus / "learn.yaml", small_corpus / "walt.yaml")
     voices.write_text("voices:\n  walt: {description: b, split: train}\n", encoding="utf-8")
     with pytest.raises(InputError, match="'walt' is a voice of the domain's own corpus, too; give yours another name"):
@@ -136,12 +138,30 @@ def test_training_does_not_go_on_where_nothing_is_new_or_names_clash(small_corpu
     assert not untaught
 
 
+def test_what_the_base_knows_is_rehearsed(small_corpus, base, tmp_path, untaught, monkeypatch):
+    told = []
+    taught = training.train_with_encoder
+    monkeypatch.setattr(
+        training, "train_with_encoder", lambda *a, **kw: (told.append(kw["rehearse"]), taught(*a, **kw))[1]
+    )
+    shutil.copyfile(small_corpus / "learn.yaml", small_corpus / "elsewhere.yaml")
+    voices = small_corpus / "voices.yaml"
+    voices.write_text("voices:\n  elsewhere: {description: a, split: train}\n", encoding="utf-8")
+    with pytest.raises(InputError, match=r"knows every training voice .* --rehearse"):
+        train(small_corpus, tmp_path / "models", encoder=True, base=base)
+    train(small_corpus, tmp_path / "models", encoder=True, base=base, rehearse=True)
+    assert told == [True]
+    assert {example.voice for example in untaught[0]} == {"elsewhere", "walt", "bex"}
+
+
 def test_what_is_rehearsed_is_all_and_a_fifth_of_it_is_copied(small_corpus):
     ontology = load_domain("household").ontology
     examples = [replace(e, id=str(i)) for i, e in enumerate(read_corpus(small_corpus / "learn.yaml", ontology) * 5)]
     copied, others = training._rehearsed(examples)
     assert len(copied) == math.ceil(len(examples) / 5)
-    assert len(copied) + len(others) == len(examples)
+    assert sorted([e.instruction.text for e in copied] + [i.text for i in others]) == sorted(
+        e.instruction.text for e in examples
+    )
     assert training._rehearsed(examples)[0] == copied, "the same ones each time"
 
 

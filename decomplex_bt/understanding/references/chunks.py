@@ -24,7 +24,7 @@ def _chunked(document: Document) -> Iterator[range]:
     for i in range(len(document) + 1):
         if i < len(document) and document.tokens[i].lower not in _TIMES and _is_nominal(document, i, start is not None):
             token = document.tokens[i]
-            opens = token.pos == "DET" or token.tag == "PRP$"
+            opens = token.pos == "DET" or token.tag == "PRP$" or (token.lower in _UNNAMED and _owns(document, i))
             if opens and start is not None:
                 yield from _trimmed(document, range(start, i))
                 start = i
@@ -47,7 +47,9 @@ def _is_nominal(document: Document, i: int, is_inside: bool) -> bool:
         return False  # "where's grandpa"
     if token.pos in ("DET", "ADJ", "NOUN", "PROPN", "NUM") or token.tag in ("PRP$", "POS") or _owns(document, i):
         return True
-    if token.dep == "amod" and token.tag in ("RB", "VBN", "VBG") and i < token.head <= i + 2:
+    is_first = i == 0 or document.sentences[i - 1] != document.sentences[i]
+    is_told = token.tag in ("VBN", "VBG") or (token.tag == "RB" and is_first)  # not "bring me *back* milk"
+    if token.dep == "amod" and is_told and i < token.head <= i + 2:
         return document.tokens[token.head].pos in ("NOUN", "PROPN")  # "back tyre", "dried beans"
     if not is_inside or i + 1 >= len(document):
         return False
@@ -60,13 +62,26 @@ def _is_nominal(document: Document, i: int, is_inside: bool) -> bool:
 
 
 def _owns(document: Document, i: int) -> bool:
-    """Whether a word is somebody unnamed, or the "else" behind one, whose thing follows ("someone else's socks")."""
-    words = [token.lower for token in document.tokens[max(0, i - 1) : i + 4]]
-    words = words if i else ["", *words]
-    is_one = words[1] in _UNNAMED or (words[1] == "else" and words[0] in _UNNAMED)
-    end = i + 2 if words[1] in _UNNAMED and words[2:3] == ["else"] else i + 1
-    owning = document.tokens[end : end + 2]
-    return is_one and len(owning) == 2 and owning[0].tag == "POS" and owning[1].pos in ("NOUN", "PROPN", "ADJ", "NUM")
+    """Whether a word is somebody unnamed, or the "else" behind one, whose thing follows ("someone else's socks");
+    not one who is home ("somebody's home")."""
+    tokens = document.tokens
+    is_else = i > 0 and tokens[i].lower == "else" and _is_unnamed(document, i - 1)
+    end = i + 1
+    if _is_unnamed(document, i) and end < len(tokens) and tokens[end].lower == "else":
+        end += 1
+    owning = tokens[end : end + 2]
+    return (
+        (is_else or _is_unnamed(document, i))
+        and len(owning) == 2
+        and (owning[0].tag, owning[0].dep) == ("POS", "case")
+        and owning[1].pos in ("NOUN", "PROPN", "ADJ", "NUM")
+        and owning[1].lower != "home"
+    )
+
+
+def _is_unnamed(document: Document, i: int) -> bool:
+    token = document.tokens[i]
+    return token.lower in _UNNAMED or (token.lower == "one" and i > 0 and document.tokens[i - 1].lower == "no")
 
 
 def stripped(document: Document, tokens: range) -> range:

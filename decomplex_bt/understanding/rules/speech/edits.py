@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
 
+from decomplex_bt.hesitation import HESITATING
 from decomplex_bt.understanding.document import ENDS, Document
 
 LONGEST = 6
 """The most words that are said over again."""
 DOTS = frozenset(("...", "…"))
 MARKS = frozenset((",", "-", "–", "—", *DOTS))
-HESITATING = frozenset("um umm uhm uh uhh er err erm ehm hm hmm".split())
-_HESITATION = re.compile(r"(,\s*)?\b(?:" + "|".join(sorted(HESITATING)) + r")\b(?:,\s*|\s+)", re.IGNORECASE)
 FILLERS = MARKS | HESITATING | frozenset("ah like well sorry wait no please".split())
 """What may stand between something and its being said over again."""
 DENYING = frozenset(("no", "nope", "nah"))
@@ -67,11 +65,6 @@ _SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
 _OBJECTS = frozenset(("it", "them"))
 _IDLE_SUBJECTS = TURNING | {"sorry"}
 """What is taken for the subject of an order behind it: "no *wait* put it here"."""
-
-
-def without_hesitation(words: str) -> str:
-    """A phrase without the "um" in it and the marks that set it off: "the big, um, box"."""
-    return _HESITATION.sub(lambda found: " " if found[1] and found[0].rstrip().endswith(",") else found[1] or "", words)
 
 
 @dataclass(frozen=True, slots=True)

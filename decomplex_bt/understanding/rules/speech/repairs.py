@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from decomplex_bt.hesitation import HESITATING
 from decomplex_bt.understanding.document import ENDS, Document
 from decomplex_bt.understanding.rules.speech.courtesies import courtesies
 from decomplex_bt.understanding.rules.speech.digressions import digressions
 from decomplex_bt.understanding.rules.speech.edits import (
     EDITING,
-    HESITATING,
     INTERJECTIONS,
     MARKS,
     STATING,
@@ -33,7 +33,6 @@ _NOTS = frozenset(("n't", "nt"))
 _TAGGED = frozenset("it he she they there we you i that".split())
 _BEHIND_PREPOSITIONS = frozenset(("DT", "PRP", "PRP$", "JJ", "CD", "NN", "NNS", "NNP", "NNPS", "VB"))
 """Tags of what a preposition, or the "to" of a verb, goes with."""
-_UNFINISHED_TAGS = frozenset(("PRP$", "POS"))
 _WITHIN_NOUNS = frozenset(("det", "amod", "compound", "nummod", "poss"))
 
 
@@ -80,21 +79,50 @@ def _hesitations(said: Said) -> Iterator[range]:
 def _goes_on(said: Said, before: int, behind: int) -> bool:
     """Whether the word before a hesitation belongs to words behind it: the article or the like of a noun, or what
     stands ahead of a phrase ("in, um, the shed")."""
+    if not said.are_together(before, behind):
+        return False
     tokens = said.document.tokens
-    token, following = tokens[before], tokens[behind]
+    token = tokens[before]
     if token.tag in ("IN", "TO"):
-        return said.words[before] in PREPOSITIONS and following.tag in _BEHIND_PREPOSITIONS
+        return _leads_to(said, before, behind)
     # The parser may take the "um" for a noun: "the uhm, table".
-    return token.tag in _UNFINISHED_TAGS or (token.dep in _WITHIN_NOUNS and token.head > before)
+    if token.tag == "POS":
+        return True
+    is_within = token.tag in ("DT", "PRP$") or token.dep in _WITHIN_NOUNS
+    is_of_verb = tokens[token.head].pos == "VERB" and said.words[before] not in UNFINISHED
+    return is_within and token.head > before and not is_of_verb
+
+
+def _leads_to(said: Said, before: int, behind: int) -> bool:
+    """Whether a preposition, or the "to" of a verb, goes with the words behind; not an "on" that is a state ("if it's
+    on, um, Dad is asleep") or a particle, with a clause behind it."""
+    tokens = said.document.tokens
+    following = tokens[behind]
+    if said.words[before] not in PREPOSITIONS or following.tag not in _BEHIND_PREPOSITIONS:
+        return False
+    if following.tag == "VB":
+        return said.words[before] == "to"
+    named = following if following.pos in ("NOUN", "PROPN", "PRON") else tokens[following.head]
+    return named.dep not in ("nsubj", "nsubjpass", "expl") and named.tag not in ("VB", "VBZ", "VBP")
 
 
 def _hesitation(said: Said, start: int, at: int) -> int:
     """How many words of hesitation stand at a token, where those from `start` up to it are such."""
     words = said.words
-    if words[at] in HESITATING:
+    if _is_sound(said, at):
         return 1
     is_beside = at > start or (words[at - 1 : at] != [] and words[at - 1] in UNFINISHED)
     return 2 if is_beside and words[at : at + 2] == ["you", "know"] else 0
+
+
+def _is_sound(said: Said, at: int) -> bool:
+    """Whether a token is an "um", and no name ("Umm Khalid", "the ER")."""
+    token = said.document.tokens[at]
+    if said.words[at] not in HESITATING or token.text.islower():
+        return said.words[at] in HESITATING
+    following = said.document.tokens[at + 1 : at + 2]
+    is_first = at == 0 or not said.are_together(at - 1, at)
+    return is_first and token.text.istitle() and not any(other.text.istitle() for other in following)
 
 
 def _tags(said: Said) -> Iterator[range]:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from decomplex_bt.hesitation import HESITATING
 from decomplex_bt.understanding.rules.speech.edits import (
     AHEAD,
     ASKING_FOR,
     BREAKS,
     FILLERS,
-    HESITATING,
     LONGEST,
     MARKS,
     OPENERS,
