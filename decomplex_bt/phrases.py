@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from decomplex_bt.instruction import Argument, Instruction, Task
 
 _CONTRACTED = {"'s": "is", "\u2019s": "is", "'re": "are", "\u2019re": "are", "'m": "am", "\u2019m": "am"}
-_PREPOSITIONS = frozenset(
+PREPOSITIONS = frozenset(
     ("about", "at", "behind", "beside", "by", "for", "from", "in", "inside", "into", "near", "next", "of", "off", "on")
 ) | {"onto", "out", "over", "to", "under", "with"}
-_RESTING = _PREPOSITIONS - {"about", "by", "for", "from", "into", "of", "off", "onto", "out", "over", "to", "with"}
+_RESTING = PREPOSITIONS - {"about", "by", "for", "from", "into", "of", "off", "onto", "out", "over", "to", "with"}
 """Prepositions of where something is."""
 _OF_NOBODY = re.compile(r"\b(nobody|no one|no-one|noone)( else)? *$", re.IGNORECASE)
 _PLACES = {"goal": "to", "source": "from", "location": "in"}
@@ -42,9 +42,9 @@ def spoken(instruction: Instruction, argument: Argument, task: Task) -> str:
     is only meant ("there") that which leads it elsewhere in the instruction."""
     value, surface = argument.value, instruction.surface(argument.span) or ""
     first, is_meant = surface.partition(" ")[0].lower(), argument.type in _PLACES
-    if value.partition(" ")[0].lower() in _PREPOSITIONS or value == surface:
+    if value.partition(" ")[0].lower() in PREPOSITIONS or value == surface:
         return value
-    if first in _PREPOSITIONS and first != surface.lower():
+    if first in PREPOSITIONS and first != surface.lower():
         return f"{first} {value}"
     if argument.type == "object" and task.type == "searching" and not surface and task.argument("location"):
         return f"for {value}"  # "try the desk drawer for my keys"

@@ -23,7 +23,7 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "flow": frozenset({"errors"}),
     "instruction": frozenset({"errors", "flow", "phrases"}),
     "phrases": frozenset({"instruction"}),
-    "hesitation": frozenset(),
+    "hesitation": frozenset({"phrases"}),
     "domain": frozenset({"errors", "flow", "instruction", "domains"}),
     "domains": frozenset(),
     "processes": frozenset(),

@@ -141,9 +141,12 @@ def test_training_does_not_go_on_where_nothing_is_new_or_names_clash(small_corpu
 def test_what_the_base_knows_is_rehearsed(small_corpus, base, tmp_path, untaught, monkeypatch):
     told = []
     taught = training.train_with_encoder
-    monkeypatch.setattr(
-        training, "train_with_encoder", lambda *a, **kw: (told.append(kw["rehearse"]), taught(*a, **kw))[1]
-    )
+
+    def heard(*arguments, **options):
+        told.append(options["rehearse"])
+        return taught(*arguments, **options)
+
+    monkeypatch.setattr(training, "train_with_encoder", heard)
     shutil.copyfile(small_corpus / "learn.yaml", small_corpus / "elsewhere.yaml")
     voices = small_corpus / "voices.yaml"
     voices.write_text("voices:\n  elsewhere: {description: a, split: train}\n", encoding="utf-8")

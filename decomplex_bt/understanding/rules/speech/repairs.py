@@ -118,8 +118,10 @@ def _hesitation(said: Said, start: int, at: int) -> int:
 def _is_sound(said: Said, at: int) -> bool:
     """Whether a token is an "um", and no name ("Umm Khalid", "the ER")."""
     token = said.document.tokens[at]
-    if said.words[at] not in HESITATING or token.text.islower():
-        return said.words[at] in HESITATING
+    if said.words[at] not in HESITATING:
+        return False
+    if token.text.islower():
+        return True
     following = said.document.tokens[at + 1 : at + 2]
     is_first = at == 0 or not said.are_together(at - 1, at)
     return is_first and token.text.istitle() and not any(other.text.istitle() for other in following)
