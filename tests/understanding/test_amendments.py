@@ -377,3 +377,8 @@ def test_that_something_is_left_is_a_state_of_it_and_nothing_is_missing(text: st
 )
 def test_what_comes_along_with_what_is_taken_up_is_brought_too(text: str, things: list[str]) -> None:
     assert [a.value for a in Interpreter.load().interpret(text).tasks[-1].arguments if a.type == "object"] == things
+
+
+@pytest.mark.parametrize("text", ["Bring", "Fill the thermos and bring", "pass"])
+def test_a_text_that_ends_in_what_brings_is_read(interpreter: Interpreter, text: str) -> None:
+    assert interpreter.interpret(text).text == text

@@ -38,7 +38,7 @@ def called(document: Document, arguments: Sequence[FoundArgument], fetching: int
     is_end = end >= len(document) or document.tokens[end].text in MARKS
     own = {a.type for a in arguments if a.owner == fetching and a.tokens != whom}
     kind = _WHOM.get(document.tokens[fetching].lemma)
-    if kind is None or not is_end or own & {"object", kind}:
+    if kind is None or not is_end or whom[0] >= len(document) or own & {"object", kind}:
         return list(arguments)
     if kind == "recipient" and document.tokens[whom[0]].lower not in ("me", "us"):
         return list(arguments)
