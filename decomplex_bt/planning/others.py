@@ -112,13 +112,10 @@ def _walk(nodes: Sequence[Node], before: Before) -> Iterator[tuple[int, Before]]
         if isinstance(node, If):
             yield from _walk(node.then, Before(before.surely | done, before.maybe | done))
             yield from _walk(node.orelse, before)
-            before = Before(before.surely, before.maybe | done | _all(node.then) | _all(node.orelse))
+            within = {inner.task for inner, _ in Flow((node,)).walk()}
+            before = Before(before.surely, before.maybe | within)
         else:
             before = Before(before.surely | done, before.maybe | done)
-
-
-def _all(nodes: Sequence[Node]) -> frozenset[int]:
-    return frozenset(task for task, _ in _walk(nodes, Before()))
 
 
 def without_others(

@@ -105,3 +105,14 @@ def test_the_robot_fetches_the_other_one() -> None:
     belief.update(Percept(room="study", places=places))
     pursuit = pursue(other, belief, {one.objects[0]: ("mug_1",)}, since=1)
     assert "mug_2" in {name for atom in pursuit.goal_atoms for name in atom.objects}
+
+
+def test_a_long_chain_of_cases_is_grounded() -> None:
+    depth = 40  # if each case doubled the work, this would never end
+    last = 2 * depth + 1
+    text, flow = f"[go]({last}:motion) [to the kitchen]({last}:goal)", [last]
+    for i in range(last - 2, 0, -2):
+        condition = f"if [the tv]({i}:object) [is]({i}:check_state) [on]({i}:state), "
+        text = f"{condition}[close]({i + 1}:change_state) [the window]({i + 1}:object), else {text}"
+        flow = [{"if": i, "then": [i + 1], "else": flow}]
+    assert len(tasks(text, flow)) == last

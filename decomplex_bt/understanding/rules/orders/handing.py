@@ -35,10 +35,10 @@ def called(document: Document, arguments: Sequence[FoundArgument], fetching: int
     """The arguments with who is fetched as the object where the order names nothing else: "if she cries, get *me*"; of
     what is brought or given to whom, nothing is said then: "bring *me*"."""
     whom, end = range(fetching + 1, fetching + 2), fetching + 2
-    is_end = end >= len(document) or document.tokens[end].text in MARKS
+    is_end = end == len(document) or (end < len(document) and document.tokens[end].text in MARKS)
     own = {a.type for a in arguments if a.owner == fetching and a.tokens != whom}
     kind = _WHOM.get(document.tokens[fetching].lemma)
-    if kind is None or not is_end or whom[0] >= len(document) or own & {"object", kind}:
+    if kind is None or not is_end or own & {"object", kind}:
         return list(arguments)
     if kind == "recipient" and document.tokens[whom[0]].lower not in ("me", "us"):
         return list(arguments)
