@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.balance import Test
     from decomplex_bt.envs.randomness import Generators
 
-INSTRUCTION_TRIES = 3000
+INSTRUCTION_TRIES = 10_000
 """Corpus examples drawn before none is found that can be asked for in a house; those that do not suit it are known from
-then on. In a small house of two rooms one in a hundred does."""
+then on. In a small house of two rooms one draw in four hundred does, so that one reset in some 10^11 finds none."""
 
 
 def judge_for(request: Request, domain: Domain) -> Judge:
