@@ -9,6 +9,7 @@ from functools import lru_cache, partial
 from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
+from threading import Lock
 from typing import TypeVar
 
 from decomplex_bt.domain.loader import Domain, load_domain
@@ -64,13 +65,14 @@ _Item = TypeVar("_Item")
 
 
 class Interpreter:
-    """Understands instructions of one domain with its trained models."""
+    """Understands instructions of one domain with its trained models, for threads that share it one at a time."""
 
     def __init__(self, domain: Domain, models: Path, parser: Parser, *, encoder: bool = False) -> None:
         check_models(models, domain)
         self.domain = domain
         self._models, self._has_encoder = models, encoder
         self._parser = parser
+        self._lock = Lock()  # since a CRF answers for the sequence that it labelled last
         self._gazetteer = Gazetteer.of(domain.lexicon, domain.kinds)
         folder = models
         if encoder:
@@ -150,6 +152,10 @@ class Interpreter:
         return self._parser.tokens(text)
 
     def _understand(self, document: Document) -> Instruction:
+        with self._lock:
+            return self._understood(document)
+
+    def _understood(self, document: Document) -> Instruction:
         left = document
         places: Sequence[int] = range(len(document.text))
         plain = marked(document)
