@@ -124,8 +124,8 @@ ASKING_LEMMAS = frozenset(
 """What stands before an "if" that reports or checks and opens no condition ("see if", "find out if", "let me know if")."""
 
 _NORMAL = {
-    "n't": "not", "n’t": "not", "nt": "not", "ca": "can", "wo": "will", "'s": "is", "’s": "is", "'re": "are", "’re": "are", "'ll": "will", "’ll": "will",
-    "'ve": "have", "’ve": "have", "it's": "it is", "are": "is", "was": "is", "were": "is", "u": "you", "isnt": "is not", "cuz": "because", "ur": "your",
+    "n't": "not", "nt": "not", "ca": "can", "wo": "will", "'s": "is", "'re": "are", "'ll": "will",
+    "'ve": "have", "it's": "it is", "are": "is", "was": "is", "were": "is", "u": "you", "isnt": "is not", "cuz": "because", "ur": "your",
 }  # fmt: skip
 
 

@@ -233,7 +233,7 @@ _THANKING = frozenset(
     "obliged grateful appreciate appreciated thankful glad delighted pleased kind lovely wonderful great nice good "
     "helpful help love marvellous brilliant".split()
 )
-_WOULD = frozenset("would should could 'd \u2019d will 'll \u2019ll".split())
+_WOULD = frozenset("would should could 'd will 'll".split())
 _ASKED = frozenset("would could can might please kindly just found brought put took gave".split())
 _BEING = frozenset(("is", "have", "has", "m", "'m"))
 _TELLING = frozenset(("tell", "know", "inform", "text"))

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import islice
+from itertools import chain, islice
 from threading import Lock
 from typing import Any, TypeVar
 
@@ -217,12 +217,9 @@ class Parser:
     def _meant(self, nlp: Any, text: str, spelling: Spelling | None) -> tuple[Any, Any]:
         """The tokens of a text, and those that are meant."""
         typed = _tokenised(nlp, text)
-        words = None if spelling is None else spelling([token.text for token in typed], lambda: self._lemmas)
-        if words is None:
-            return typed, typed
-        from spacy.tokens import Doc
-
-        return typed, Doc(nlp.vocab, words=list(words), spaces=[bool(token.whitespace_) for token in typed])
+        plain = _plainly(typed)
+        meant = plain if spelling is None else spelling(plain, lambda: self._lemmas) or plain
+        return typed, typed if meant == [token.text for token in typed] else _with_words(nlp, typed, meant)
 
     @cached_property
     def _lemmas(self) -> frozenset[str]:
@@ -248,7 +245,7 @@ class Parser:
 _CONTRACTED = (r"(?<=[a-z]{2})['\u2019](?:ll|d)",)
 """Suffixes besides those of spaCy, which has "'s" alone."""
 
-
+_PLAIN_QUOTES = str.maketrans({"\u2018": "'", "\u2019": "'"})
 _INSIDE_NAMES = frozenset("it me us you by before after if when until unless not".split())
 """What stands within a name of several words that hyphens join, and is no word of its own there."""
 _AHEAD_OF_NAMES = frozenset(
@@ -265,8 +262,11 @@ _BEGINNING = frozenset(
 def _tokenised(nlp: Any, text: str) -> Any:
     """The tokens of a text. The full stop behind a letter ends the sentence where nothing or a new one follows ("the
     drawer marked B. If it's full, ..."); before a surname it belongs to the letter ("J. Ford"). The "it" of "the
-    post-it" is no word of its own."""
+    post-it" is no word of its own. What is all in capitals is parted as in small letters ("IS N'T")."""
     doc = nlp.make_doc(text)
+    if _is_shouted(text):
+        small = nlp.make_doc(text.lower())
+        doc = _with_words(nlp, small, [text[token.idx : token.idx + len(token)] for token in small])
     stops = {token.i for token in doc if _is_stopped_letter(doc, token)}
     joined_to_last = _joined_to_last(doc) if "-" in text else frozenset()
     if not stops and not joined_to_last:
@@ -284,6 +284,31 @@ def _tokenised(nlp: Any, text: str) -> Any:
         words += parts
         spaces += [False] * (len(parts) - 1) + [bool(token.whitespace_)]
     return Doc(nlp.vocab, words=words, spaces=spaces)
+
+
+def _is_shouted(text: str) -> bool:
+    """Whether all letters are capitals, each of which has one small letter."""
+    return text.isupper() and len(text.lower()) == len(text)
+
+
+def _plainly(typed: Any) -> list[str]:
+    """The words of a text with the apostrophe of typewriters, also where it was left out of a "not" ("dont"), and in
+    small letters where all are capitals: as nearly all are that anything was learnt from."""
+    words = [token.text.translate(_PLAIN_QUOTES) for token in typed]
+    if _is_shouted(typed.text):
+        words = [word.lower() for word in words]
+    joined_to_next = (not token.whitespace_ for token in typed)
+    return [
+        "n't" if word == "nt" and is_joined else word
+        for word, is_joined in zip(words, chain((False,), joined_to_next), strict=False)
+    ]
+
+
+def _with_words(nlp: Any, doc: Any, words: Sequence[str]) -> Any:
+    """The tokens with other words, one for one."""
+    from spacy.tokens import Doc
+
+    return Doc(nlp.vocab, words=list(words), spaces=[bool(token.whitespace_) for token in doc])
 
 
 def _joined_to_last(doc: Any) -> frozenset[int]:

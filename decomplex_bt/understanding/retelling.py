@@ -42,7 +42,7 @@ _DETERMINING = _INDEFINITE | {"the"}
 _APPOSING = frozenset((",", ":", "-", "–", "—"))
 _POINTING = frozenset(("this", "that", "these", "those"))
 _SPEAKING = frozenset(("i", "we"))
-_SERVING = frozenset(("do", "be", "work", "'s", "\u2019s"))
+_SERVING = frozenset(("do", "be", "work", "'s"))
 
 
 @dataclass(frozen=True, slots=True)

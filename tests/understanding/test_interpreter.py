@@ -2,6 +2,8 @@
 
 import json
 import shutil
+import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import pytest
@@ -316,3 +318,42 @@ def test_what_is_no_text_or_no_batch_is_refused_at_once(interpreter):
         interpreter.interpret_batch(["Close the door."], jobs=0)
     with pytest.raises(InputError, match="the instruction is 3; expected a text"):
         list(interpreter.interpret_batch(["Close the door.", 3]))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Check if the garage door is closed. If it isn't, close it.",
+        "If the kettle's empty and Mum's not home, don't fill it, wash the mugs.",
+        "If there's no milk, I'll have water, so bring me that.",
+    ],
+)
+@pytest.mark.parametrize(
+    "typed",
+    [lambda text: text.replace("'", "\u2019"), str.upper, lambda text: text.replace("n't", "nt")],
+    ids=["curly", "capitals", "left out"],
+)
+@pytest.mark.parametrize("encoder", [False, None])
+def test_neither_capitals_nor_the_apostrophe_change_what_is_meant(text, typed, encoder):
+    found, plain = (Interpreter.load(encoder=encoder).interpret(each) for each in (typed(text), text))
+    assert found.flow == plain.flow
+    assert [task.type for task in found.tasks] == [task.type for task in plain.tasks]
+    assert [task.span.of(found.text) for task in found.tasks] == [typed(t.span.of(plain.text)) for t in plain.tasks]
+    assert all(a.span.of(found.text) in typed(text) for task in found.tasks for a in task.arguments if a.span)
+
+
+def test_threads_may_share_an_interpreter():
+    shared = Interpreter.load(encoder=False)
+    texts = [
+        PEN,
+        "Go to the kitchen.",
+        "If it's cold, close the window, otherwise open the door and feed the dog.",
+    ] * 20
+    alone = [shared.interpret(text) for text in texts]
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-5)
+    try:
+        with ThreadPoolExecutor(3) as threads:
+            assert list(threads.map(shared.interpret, texts)) == alone
+    finally:
+        sys.setswitchinterval(before)

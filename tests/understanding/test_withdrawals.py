@@ -47,7 +47,7 @@ def tasks(instruction: Instruction) -> list[str]:
             "Bring the monitor. No, leave that where it is, bring me a scarf.",
             "Bring the monitor . No , leave that where it is",
         ),
-        ("Turn on the lamp. No, don\u2019t.", "Turn on the lamp . No , do n\u2019t"),
+        ("Turn on the lamp. No, don\u2019t.", "Turn on the lamp . No , do n't"),
         (
             "run the bath no scratch that it's late now get the towels and if they're wet dry them",
             "run the bath no scratch that",

@@ -282,7 +282,7 @@ class Clause:
     @property
     def asks_who(self) -> bool:
         """Whether it asks who or what something is: "if it's the plumber"."""
-        is_named = self.verb in ("be", "'s", "\u2019s") and bool(self.objects) and not self.says_there_is
+        is_named = self.verb in ("be", "'s") and bool(self.objects) and not self.says_there_is
         return self.is_check and (bool(self.identified) or (is_named and not self.said_state and not self.places))
 
     @property

@@ -62,10 +62,10 @@ from decomplex_bt.understanding.rules.cases.concessions import concessions
 from decomplex_bt.understanding.rules.orders.prohibitions import is_elided, is_forbidden
 from decomplex_bt.understanding.vocabulary import PERSON_NOUNS, WEEKDAYS
 
-_DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
-_CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))
+_DENYING = frozenset(("not", "n't", "nt"))
+_CONTRACTED = frozenset(("'s", "'re"))
 _AWAY = frozenset("away out off back".split())
-_HAVE = frozenset(("have", "'ve", "\u2019ve"))
+_HAVE = frozenset(("have", "'ve"))
 _ANY = frozenset(("any", "some", "one"))
 _OF_KIND = frozenset(("a", "an", "another"))
 _WHETHER = frozenset("if whether does do is are has have can could would will".split())
@@ -86,7 +86,7 @@ _TURNING_UP = frozenset("turn show pop".split())
 _APPEARING = frozenset("surface appear reappear".split())
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _DEFINITE = frozenset("the my your his her our their this that these those".split())
-_IS = frozenset(("is", "are", "'s", "\u2019s", "be"))
+_IS = frozenset(("is", "are", "'s", "be"))
 _JOINING = frozenset(("and", "or", "of", "&"))
 _DOING = frozenset(("do", "does", "did"))
 _THINGS = frozenset("it they them that this those these one".split())

@@ -340,7 +340,7 @@ _DEGREES = frozenset(("too", "enough"))
 _GOING = frozenset("go fail drop cut trip".split())
 _FALLING = frozenset("fall tip topple drop roll slip".split())
 _IFS = frozenset(("if", "unless", "only_if"))
-_BEING = frozenset(("be", "'s", "\u2019s", "s"))
+_BEING = frozenset(("be", "'s", "s"))
 _ENDS = frozenset("done finished ready over cooked baked clean dry".split())
 """States that something comes to in the end: what is still otherwise has not."""
 _USED = frozenset("free busy empty available occupied taken use unused vacant unoccupied deserted quiet loud".split())

@@ -10,10 +10,10 @@ from decomplex_bt.understanding.rules.speech.asides import tag_question
 WILLING = frozenset(("would", "will", "wo"))
 _COORDINATORS = frozenset(("and", "but", "or"))
 _STATING = frozenset(
-    "is 's \u2019s s are 're re was were 'm m do does did have has had ca can could wo will would ai there got".split()
+    "is 's s are 're re was were 'm m do does did have has had ca can could wo will would ai there got".split()
 )
 """What stands ahead of a negation in a statement: "it *is* n't", "I *do* n't", "*ca* n't find it", "*got* no milk"."""
-_CONTRACTED = frozenset(("n't", "n\u2019t", "nt"))
+_CONTRACTED = frozenset(("n't", "nt"))
 _GOING_BY = frozenset((("if", "so"), ("if", "not"), ("if", "yes"), ("if", "no")))
 _LEADING = frozenset("do does did ca can could wo will would".split())
 """What needs a verb behind its negation."""
@@ -21,10 +21,10 @@ _DEGREES = frozenset("quite even always all both ever often each entirely".split
 """What may stand between a negation and its verb, as "really" may."""
 _ASKING = frozenset("please just kindly then now maybe go can could would will you".split())
 """What may stand ahead of the verb of an order."""
-_NO_ORDERS = frozenset("to i we they he she who that which and or but not n't n\u2019t nor".split())
+_NO_ORDERS = frozenset("to i we they he she who that which and or but not n't nor".split())
 _ANSWERING = frozenset(("say", "answer", "reply"))
 _LETTING = frozenset(("let", "make", "help"))
-_DENYING = frozenset("no not n't n\u2019t".split())
+_DENYING = frozenset("no not n't".split())
 
 
 def negations(observed: Observed, task: int, first: int, last: int) -> list[int]:

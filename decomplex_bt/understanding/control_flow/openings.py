@@ -15,7 +15,7 @@ from decomplex_bt.understanding.vocabulary import PREPOSITIONS
 
 ITS = frozenset("it them 'em em him her this that these those".split())
 STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
-_MAY = frozenset("can may could will 'll \u2019ll".split())
+_MAY = frozenset("can may could will 'll".split())
 _BEING_LEFT = frozenset("stay wait keep do remain".split())
 _OPENERS = frozenset(("if", "when"))
 _LEAVING = tuple(
@@ -38,12 +38,12 @@ _MATTERS = frozenset("note matter subject topic".split())
 _BEFORE_MATTER = frozenset("on to a an and but then now so for completely entirely quite".split())
 """What may stand before "another matter" where it tells only that one follows."""
 _AFTER_LEAVING = frozenset("till until for as alone be where there then to and just bother".split())
-_BE = frozenset("is are 's \u2019s 're \u2019re".split())
+_BE = frozenset("is are 's 're".split())
 _SAID_WHERE = frozenset("there one it they".split())
 _BEING_LET = frozenset("be wait stay sleep rest".split())
 _PICKED = frozenset("any those ones one anything whatever whichever".split())
 _ONCE = frozenset(("after", "when"))
-_PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
+_PERFECT = frozenset("have 've had 'd ve".split())
 _DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
 _NEAR = 3
 """Within so many words behind an "if not" that no mark ends its order begins: "if not please just wake him"."""

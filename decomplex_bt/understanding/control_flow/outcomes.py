@@ -132,7 +132,7 @@ def answers_ring(clause: Clause, order: Clause) -> bool:
 def is_answer_behind(clause: Clause, order: Clause, question: Clause) -> bool:
     """Whether it says, behind an order that hangs on it, how somebody answered what was asked right ahead of that: "ask
     him if he's cold, and bring him the shawl *if he is*"."""
-    is_fitting = clause.verb == "do" or not question.question.isdisjoint((clause.verb, "'s", "\u2019s"))
+    is_fitting = clause.verb == "do" or not question.question.isdisjoint((clause.verb, "'s"))
     is_bare = clause.says_only_whether and clause.is_of_somebody and clause.near == ("if",)
     is_behind = clause.boundary == "none" and clause.sentence == order.sentence == question.sentence
     return bool(question.question) and question.task.type == "informing" and is_fitting and is_bare and is_behind
@@ -142,7 +142,7 @@ def is_answer_to(clause: Clause, before: Clause, others: Sequence[Clause]) -> bo
     """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
     does, ..."), where that is in the same sentence, or the `others`, the conditions so far, are of things, or say how
     somebody is, which no "does" or "has" takes up ("if she's up, ask her if she wants tea. If she *does*, ...")."""
-    is_fitting = clause.verb == "do" or not before.question.isdisjoint((clause.verb, "'s", "\u2019s"))
+    is_fitting = clause.verb == "do" or not before.question.isdisjoint((clause.verb, "'s"))
     is_of_them = clause.is_of_somebody and not any(other.number == "many" for other in others)
     is_answer = clause.says_only_whether and bool(before.question) and is_fitting
     is_of_things = not any(other.is_of_somebody or other.may_be_of_person for other in others)
@@ -164,7 +164,7 @@ _AGAINST = tuple(
     )
 )  # fmt: skip
 """What is seen to in which weather or light."""
-_BEING = frozenset("be 's \u2019s 're \u2019re s".split())
+_BEING = frozenset("be 's 're s".split())
 OBSTRUCTED = frozenset(
     "full packed crammed crowded overflowing occupied taken use locked shut closed stuck jammed blocked obstructed "
     "service order".split()

@@ -32,7 +32,7 @@ _MAKING = PUTTING | {"change_state"}
 _CHANGING = tuple([verb] for verb in "change replace swap renew".split())
 _WORN = frozenset("old broken dead dirty used empty worn spent".split())
 """How a thing is that was changed for another."""
-_BEING_WITHOUT = frozenset("be 's \u2019s 're \u2019re run go".split())
+_BEING_WITHOUT = frozenset("be 's 're run go".split())
 """What is said with `_OUT_OF`, of which "take the milk out of the fridge" is none."""
 
 

@@ -36,7 +36,7 @@ INSTRUMENTS = frozenset(
 _OF_ANY_NUMBER = frozenset("they them em 'em".split())
 """What may be said of one person whose gender is open: "if it's a neighbour, let *them* in"."""
 _TELLING = frozenset(("check_state", "change_state"))
-_STATING = frozenset("is are 's \u2019s looks smells needs has".split())
+_STATING = frozenset("is are 's looks smells needs has".split())
 _GUARDING = frozenset(("if", "unless"))
 _JOINING = frozenset(("and", "but", "or", "then"))
 _LIMITING = frozenset(("not", "only"))

@@ -10,7 +10,7 @@ _FINDING = frozenset(("find", "locate"))
 _SEEING = frozenset(("see", "spot", "notice", "spy"))
 _ANYWHERE = frozenset(("anywhere", "somewhere"))
 _PLACED = frozenset("hanging lying sitting standing leaning".split())
-_COMING = frozenset("'ll \u2019ll will".split())
+_COMING = frozenset("'ll will".split())
 _OPENING = frozenset("if unless when once after before until".split())
 _NEAR = 5
 """Within so many words ahead of its verb a case is opened [tokens]."""

@@ -10,7 +10,7 @@ from decomplex_bt.understanding.references.asked_again import is_pro_verb
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap
 
-_DOING = frozenset("has have had 've \u2019ve did do does".split())
+_DOING = frozenset("has have had 've did do does".split())
 _NO_DEEDS = frozenset("be have do get check see look find try want need like".split())
 """Verbs that name no deed of their own, or are the check itself ("*see* whether the post has come")."""
 _CLAUSE_ENDS = frozenset(

@@ -13,11 +13,11 @@ _DISMISSING = tuple(
     tuple(phrase.split())
     for phrase in (
         "forget", "forget about", "skip", "never mind", "nevermind", "ignore", "do n't bother with",
-        "do n\u2019t bother with", "not bother with",
+        "not bother with",
     )
 )  # fmt: skip
 _LONGEST = max(map(len, _DISMISSING))
-_NEGATIONS = frozenset("not n't n\u2019t never".split())
+_NEGATIONS = frozenset("not n't never".split())
 _TURNING = frozenset("but if unless otherwise else or when though".split())
 """What takes up what was dismissed, or asks of it."""
 _JOINING = frozenset(", and then please - ;".split())

@@ -41,7 +41,7 @@ _AMOUNTS = _MEASURES | frozenset("plate pan pot box tin half third quarter".spli
 """What there may be so much of: "a plate *of it*"."""
 _AND = frozenset(("and", "&"))
 _CLAUSE_ENDS = frozenset("and but or then if unless when before after until please".split())
-DENYING = frozenset(("not", "n't", "n\u2019t"))
+DENYING = frozenset(("not", "n't"))
 _YET = frozenset("already yet still anymore".split())
 _BEING = frozenset(("be", "look", "seem", "feel"))
 _AIR = AIR | {"late", "early"}
@@ -211,7 +211,7 @@ def _form(document: Document, tokens: range) -> str | None:
         return None
     if head in ONES:  # in "the red mug and the blue one" the words themselves say which noun is meant
         return "one" if not {"and", "or"} & set(words) else None
-    is_owner = last.lower in ("'s", "\u2019s") and document.tokens[tokens.stop - 2].pos in ("NOUN", "PROPN")
+    is_owner = last.lower == "'s" and document.tokens[tokens.stop - 2].pos in ("NOUN", "PROPN")
     if (last.tag == "POS" or is_owner) and "and" not in words:  # "my mug and Tom's" says of what kind both are
         return "own"
     if len(words) > 1 and words[-2] == "of" and words[-1] in OWN:

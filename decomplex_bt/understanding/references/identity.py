@@ -12,8 +12,8 @@ from decomplex_bt.understanding.vocabulary import ANYBODY, ONES, PERSON_NOUNS
 
 _OPENING = frozenset("if unless when case should".split())
 _POINTING = frozenset("it that this those these they".split())
-_BE = frozenset("is was are were 's \u2019s 're \u2019re".split())
-_BETWEEN = frozenset("only just really indeed actually still even merely n't n\u2019t not".split())
+_BE = frozenset("is was are were 's 're".split())
+_BETWEEN = frozenset("only just really indeed actually still even merely n't not".split())
 _DEFINITE = frozenset("the my your his her our their".split())
 _INDEFINITE = frozenset(("a", "an"))
 _POINTING_AT = frozenset("that this those these the".split())

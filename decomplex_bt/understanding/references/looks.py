@@ -113,7 +113,7 @@ def _words(document: Document, start: int, verb: str) -> range:
         if (word in _LOOKS and verb not in _KEEPING) or (word in _HASTY and is_hasty) or is_watch:
             return range(start, noun + 1)
         if word in _GENITIVE and verb in _HAVING:
-            is_marked = tokens[noun + 1 : noun + 2] != () and tokens[noun + 1].lower in ("'s", "\u2019s", "'")
+            is_marked = tokens[noun + 1 : noun + 2] != () and tokens[noun + 1].lower in ("'s", "'")
             stop = noun + 1 + is_marked
             is_whole = stop >= len(tokens) or tokens[stop].pos not in _NAMING  # not "a butcher's knife"
             return range(start, stop) if is_whole and (is_marked or word == "butchers") else range(0)

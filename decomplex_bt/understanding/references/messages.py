@@ -18,8 +18,8 @@ _SAYING = _TELLING | frozenset("say whisper shout repeat report".split())
 _SAID = frozenset(("it", "that", "this"))
 _FOUND = frozenset(("so", "that", "this"))
 _BE = frozenset("is are was were".split())
-_CONTRACTED = {"'s": "is", "\u2019s": "is", "'re": "are", "\u2019re": "are"}
-_DENYING = frozenset("not n't n\u2019t isn't isn\u2019t aren't aren\u2019t no never".split())
+_CONTRACTED = {"'s": "is", "'re": "are"}
+_DENYING = frozenset("not n't isn't aren't no never".split())
 _ADDING = frozenset(("too", "also"))
 _ONESELF = frozenset(("me", "us"))
 

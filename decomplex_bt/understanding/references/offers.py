@@ -13,7 +13,7 @@ _AHEAD = frozenset("and so then just please simply".split())
 """What may stand between the clause and the verb of the order, beside a mark."""
 _SUFFICING = frozenset("fine ok okay enough good alright right nice great better do does works".split())
 _LINKING = frozenset(
-    "is are 's 're \u2019s \u2019re s re be will would should 'll \u2019ll might could may do does works just also "
+    "is are 's 're s re be will would should 'll might could may do does works just also "
     "quite all as very perfectly well then".split()
 )
 """What stands between what is offered and the word that says it will do, that word itself where it is a verb."""

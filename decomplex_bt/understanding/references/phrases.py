@@ -34,10 +34,10 @@ from decomplex_bt.understanding.vocabulary import (
 )
 
 _NOBODY = frozenset(("nobody", "noone"))
-_BEHIND_NOBODY = frozenset("else is 's \u2019s s has was will would still currently there at all".split())
+_BEHIND_NOBODY = frozenset("else is 's s has was will would still currently there at all".split())
 _BEFORE_HOW = frozenset("a look peek glance out at me us just exactly".split())
 _AMOUNTS = frozenset(("many", "much"))
-_ARE = frozenset("is are was were 's 're \u2019s \u2019re feels looks".split())
+_ARE = frozenset("is are was were 's 're feels looks".split())
 _WHERE = AT | {"outside"}
 SO_MANY = (["a", "couple", "of"], ["a", "pair", "of"])
 _LONGEST_MEASURE = 3
@@ -307,7 +307,7 @@ def _deed(document: Document, verb: int, task: Task, verbs: Collection[int]) -> 
 
 
 _OUT_OF = ("out", "of")
-_BEING_OR_RUNNING = frozenset("is are 's 're \u2019s \u2019re be been run running was were".split())
+_BEING_OR_RUNNING = frozenset("is are 's 're be been run running was were".split())
 _NEAR = 4
 """Within so many words ahead of a deed stands the "give" that it is given by [tokens]."""
 _GIVING = frozenset(("give", "given", "giving"))

@@ -8,7 +8,7 @@ from decomplex_bt.understanding.references.chunks import head_of, stripped
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import Gap
 
-_BE = frozenset("is are be 's 're \u2019s \u2019re".split())
+_BE = frozenset("is are be 's 're".split())
 _GOING = frozenset(("placing", "bringing", "motion"))
 _APERTURE = "aperture"
 _REMAINING = frozenset(("rest", "other", "others", "remainder"))

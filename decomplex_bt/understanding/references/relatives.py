@@ -11,10 +11,10 @@ from decomplex_bt.understanding.document import MARKS, Document, Token
 _RELATIVES = frozenset(("that", "which", "who"))
 _FINDING = frozenset(("find", "take", "get", "leave", "put"))
 """What is told of a place behind "where you"."""
-BE = frozenset("is are was were be 's \u2019s 're \u2019re s re".split())
+BE = frozenset("is are was were be 's 're s re".split())
 _ANTECEDENTS = frozenset("one ones those any all some both everything anything everyone anyone".split())
 _NOUNS = frozenset(("NOUN", "PROPN"))
-ADVERBS = frozenset("still already now currently all both not n't n\u2019t yet left only just really".split())
+ADVERBS = frozenset("still already now currently all both not n't yet left only just really".split())
 _FREE = frozenset(("whichever", "whatever"))
 WHATEVER = frozenset(("what", "whatever"))
 _WHERE = frozenset("in on at by under behind beside inside near over above below left lying".split())

@@ -11,7 +11,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
-_BE = frozenset("is are was were 's \u2019s 're \u2019re has have".split())
+_BE = frozenset("is are was were 's 're has have".split())
 _SUBJECT = frozenset(("DET", "ADJ", "NOUN", "PROPN", "PRON", "NUM"))
 _NUMBERS = {"it": frozenset(("NN", "NNP")), "them": frozenset(("NNS", "NNPS"))}
 _NO_THINGS = frozenset("phone bell taxi cab bus train time bedtime".split())
@@ -32,7 +32,7 @@ def subject_of(document: Document, task: Task) -> range:
     if not start < stop < words.stop or tokens[stop].lower not in _BE:
         return range(0)
     last, behind = tokens[stop - 1], tokens[stop + 1 : stop + 2]
-    is_owner = tokens[stop].lower in ("'s", "\u2019s") and bool(behind) and behind[0].pos in ("NOUN", "PROPN")
+    is_owner = tokens[stop].lower == "'s" and bool(behind) and behind[0].pos in ("NOUN", "PROPN")
     is_thing = last.tag in ("NN", "NNS") and last.lemma not in PERSON_NOUNS | _NO_THINGS and not is_owner
     return range(start, stop) if is_thing else range(0)
 

@@ -14,7 +14,7 @@ from decomplex_bt.understanding.rules.single_checks import as_one, at_statements
 from decomplex_bt.understanding.rules.types import retyped
 from decomplex_bt.understanding.tasks import FoundTask
 
-_IS_OR_HAS = frozenset(("'s", "\u2019s"))
+_IS_OR_HAS = frozenset(("'s",))
 
 
 def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:

@@ -25,7 +25,7 @@ _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
 _MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
 _ASKING = frozenset("check see verify confirm look find".split())
 _CLAUSE_ENDS = ENDS | frozenset((",", ":", "and", "or", "but"))
-_NOT = frozenset("not n't n\u2019t nt".split())
+_NOT = frozenset("not n't nt".split())
 _CAN = frozenset("ca can could".split())
 _MISSING = frozenset("i we and but so still just oh well sorry hey robot".split())
 """What may stand ahead of a "can't find", beside a mark."""
@@ -84,7 +84,7 @@ def _is_event(document: Document, at: int) -> bool:
 def _is_of_any(document: Document, at: int) -> bool:
     """Whether a "be" only tells which of several are meant: "close any that *'s* open"."""
     ahead = [token.lower for token in document.tokens[max(0, at - 2) : at]]
-    is_be = document.tokens[at].lower in ("'s", "\u2019s", "is", "are")
+    is_be = document.tokens[at].lower in ("'s", "is", "are")
     return (
         is_be and len(ahead) == len(_PICKED) and all(word in known for word, known in zip(ahead, _PICKED, strict=True))
     )

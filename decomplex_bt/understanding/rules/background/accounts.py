@@ -8,7 +8,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import ENDS, Document
 
-_BE = frozenset("am is are was were 's 're \u2019s \u2019re 'm \u2019m".split())
+_BE = frozenset("am is are was were 's 're 'm".split())
 _ASKING = frozenset(
     "if whether unless when whenever once until till while provided providing should long case suppose "
     "supposing assuming or either depending may might could can perhaps maybe who what which where how you make".split()

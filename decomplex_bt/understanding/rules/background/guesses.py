@@ -9,9 +9,9 @@ from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
 
 _SUBJECTS = frozenset("it they he she".split())
-_THINKING = frozenset("must will 'll \u2019ll might may should could 's \u2019s 're \u2019re is are".split())
+_THINKING = frozenset("must will 'll might may should could 's 're is are".split())
 _BETWEEN = frozenset("be then probably likely surely maybe perhaps still just".split())
-_DENYING = frozenset("not n't n\u2019t nt isn't aren't".split())
+_DENYING = frozenset("not n't nt isn't aren't".split())
 _ENDS = frozenset((".", "!"))
 _LEADING_ON = frozenset("then so otherwise there that else if in either anyway not no".split())
 _SAME = frozenset("it them him her".split())

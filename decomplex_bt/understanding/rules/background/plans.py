@@ -9,7 +9,7 @@ from decomplex_bt.understanding.document import MARKS, Document
 
 _SPEAKERS = frozenset(("i", "we"))
 _BE = frozenset("am 'm m are 're re was were".split())
-_WOULD = frozenset("'d \u2019d d would 'll \u2019ll ll will".split())
+_WOULD = frozenset("'d d would 'll ll will".split())
 _BETWEEN = frozenset("just really also now still so first then".split())
 _COMING = frozenset("going gon about planning intending hoping plan intend mean hope decided".split())
 """What one is going, about or planning to do."""

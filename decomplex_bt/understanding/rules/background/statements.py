@@ -15,14 +15,14 @@ from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 BELONGING = frozenset(("belong", "belongs"))
 """What is said of the place that a thing has."""
-_BEING = frozenset(("be", "'s", "\u2019s"))
+_BEING = frozenset(("be", "'s"))
 _TO_BE = BELONGING | frozenset("due expected wanted needed awaited required".split())
 """What is said of things that are to be somewhere."""
 _BEING_SO = frozenset(("JJ", "VBN", "VBG"))
 """How somebody is somewhere: stuck, asleep, sitting."""
 _NOUNS = frozenset(("NOUN", "PROPN"))
 _NAMING = frozenset(("NN", "NNS", "NNP", "NNPS"))
-_OWNED = frozenset("his her its their 's \u2019s '".split())
+_OWNED = frozenset("his her its their 's '".split())
 """What may make a thing that of somebody who was spoken of, and is then with them: "take *its* leash off"."""
 _PLACES = frozenset(("source", "location"))
 _FETCHING = frozenset(("bringing", "taking", "placing"))

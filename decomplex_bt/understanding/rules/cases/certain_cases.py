@@ -21,10 +21,10 @@ _FIRST_CERTAIN = frozenset(phrase[0] for phrase in _CERTAIN)
 _ENDS = MARKS | {"and", "but", "then", "or"}
 _SUBJECTS = frozenset(("DT", "EX", "NN", "NNS", "NNP", "NNPS", "PRP", "PRP$", "JJ", "CD", "PDT"))
 _AUXILIARIES = frozenset("do does did wo will ca can could should would may might".split())
-_BETWEEN = frozenset("not n't n\u2019t nt still already ever never really just".split())
+_BETWEEN = frozenset("not n't nt still already ever never really just".split())
 _SPOKEN_TO = frozenset(("you", "u"))
-_SPEAKERS = frozenset("am 'm \u2019m m i we they be been".split())
-_BE_OR_HAVE = frozenset("is are 's \u2019s 're \u2019re has have was were had".split())
+_SPEAKERS = frozenset("am 'm m i we they be been".split())
+_BE_OR_HAVE = frozenset("is are 's 're has have was were had".split())
 
 
 class CertainCase(NamedTuple):

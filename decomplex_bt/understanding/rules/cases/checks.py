@@ -16,7 +16,7 @@ from decomplex_bt.understanding.references.identity import identity_of, order_be
 from decomplex_bt.understanding.references.phrases import degree_asked, nobody
 from decomplex_bt.understanding.vocabulary import AIRED, PREPOSITIONS, WARMTH
 
-_BE = frozenset(("is", "'s", "\u2019s", "was"))
+_BE = frozenset(("is", "'s", "was"))
 _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
 _UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
 _EMPTY = frozenset("it there that this what which who that nothing nobody none".split())
@@ -25,15 +25,15 @@ OVER = frozenset("gone left finished done".split())
 """What says that somebody has gone, or is done with something."""
 CALLING = frozenset("tell ask say call shout ring whistle signal wave text yell".split())
 """What a speaker does to be heard."""
-_STATING = frozenset("be 's \u2019s 're have".split())
+_STATING = frozenset("be 's 're have".split())
 _LEFT = frozenset("left over still".split())
 _OF_CHECKS = frozenset(("object", "state", "location"))
 _DESCRIBING = frozenset(("JJ", "VBN", "JJR"))
 _JOINING = frozenset(("and", "or", "but"))
 _BEHIND_PARTICLES = frozenset(("ADV", "CCONJ", "SCONJ", "VERB", "AUX"))
-_DEGREES = frozenset("not n't n\u2019t still too also very quite only nearly almost already fully completely".split())
+_DEGREES = frozenset("not n't still too also very quite only nearly almost already fully completely".split())
 _BEFORE_WEATHER = frozenset(
-    "it be been 's is are 're re s just already not n't n\u2019t finally actually really now all still started starts "
+    "it be been 's is are 're re s just already not n't finally actually really now all still started starts "
     "starting getting gets turned so too very only outside a an the stopped stops begun begins begin to looks "
     "look looking like".split()
 )
@@ -79,7 +79,7 @@ def doing(document: Document, check: int) -> dict[str, range]:
     """What somebody is doing to something, as the state of the check: "if Dad is still *mowing the lawn*"."""
     tokens = document.tokens
     verb = next((t.i for t in tokens[check + 1 :] if t.tag != "RB"), check)
-    if tokens[check].lower not in _BE | {"are", "'re", "\u2019re"} or not is_gerund(tokens[verb]):
+    if tokens[check].lower not in _BE | {"are", "'re"} or not is_gerund(tokens[verb]):
         return {}
     thing = next((phrase for phrase in noun_chunks(document) if phrase.start == verb + 1), None)
     if thing is None or tokens[thing.start].tag not in ("DT", "PRP$"):  # not "if it's sticking turn it down"

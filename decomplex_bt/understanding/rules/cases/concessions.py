@@ -17,11 +17,11 @@ _NO_MATTER = tuple(
 _OPENERS = frozenset(phrase[0] for phrase in _NO_MATTER) | {"whether"}
 _TELLING = frozenset("whether matter regardless irrespective independently independent".split())
 """Words of which every concession has one."""
-_BEING = frozenset("'s \u2019s 're \u2019re s".split())
+_BEING = frozenset("'s 're s".split())
 _LEADING_ON = frozenset("TO MD VBP VBZ VBD PRP".split())
 """Tags of what a bare verb may hang on: "to find", "can find", "do find"."""
 _JOINTS = frozenset(("and", "but", "so"))
-_NOT = frozenset(("not", "no", "n't", "n\u2019t", "nt"))
+_NOT = frozenset(("not", "no", "n't", "nt"))
 _CONTRACTED = _NOT - {"not", "no"}
 _ASKED = frozenset(
     "check see find look verify ask tell know wonder determine confirm ensure discover inspect test learn let figure "

@@ -19,36 +19,34 @@ from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
 _OPENING = frozenset(("if", "unless", "when"))
 _JOINING = frozenset(("and", "but", "or", "so", "only"))
-_BE_OR_HAVE = frozenset("is are 's \u2019s 're \u2019re has have was were had".split())
+_BE_OR_HAVE = frozenset("is are 's 're has have was were had".split())
 _WAITING = frozenset(("as", "once", "after"))
-_HAVE = frozenset("has have had 's \u2019s".split())
-_ARE_OR_HAVE = frozenset("are 're \u2019re have 've \u2019ve".split())
+_HAVE = frozenset("has have had 's".split())
+_ARE_OR_HAVE = frozenset("are 're have 've".split())
 _PLANNING = frozenset("going trying planning wondering thinking asking struggling having feeling getting".split())
 """What tells of no work that somebody is at."""
 _APPROVING = frozenset("need want require prefer allow permit do finish settle sort".split())
 _LEFT = frozenset("gone left come arrived returned".split())
-_AM_OR_HAVE = frozenset("am 'm \u2019m m are 're \u2019re have 've \u2019ve ve".split())
+_AM_OR_HAVE = frozenset("am 'm m are 're have 've ve".split())
 _PERSONS = frozenset("he she they we somebody someone anybody anyone nobody".split())
 _UNNAMED = frozenset("you i it that this u".split())
 _TRIED = frozenset("attempt try search sign".split())
 """What is told of the order before: "if the second attempt is unsuccessful", "if there's no sign of them"."""
 _OF_ORDERS = frozenset("rest job jobs work tasks".split())
 _DO = frozenset(("do", "does", "did"))
-_NOT = frozenset("not n't n\u2019t nt".split())
+_NOT = frozenset("not n't nt".split())
 _ANYBODY = tuple(
     tuple(words.split())
     for words in (
         "nobody", "no one", "noone", "somebody", "someone", "anybody", "anyone", "everybody", "everyone",
     )
 )  # fmt: skip
-_AHEAD = frozenset(
-    "has have had 's \u2019s does do did will ca can not n't n\u2019t already ever actually really".split()
-)
+_AHEAD = frozenset("has have had 's does do did will ca can not n't already ever actually really".split())
 """What stands ahead of the verb that says what somebody does or has done."""
 _UNKNOWING = frozenset("know sure idea clue remember recall tell wonder certain unsure dunno".split())
 _OF_EVENTS = frozenset(("it", "they", "he", "she"))
 _FINITE = frozenset(("VBZ", "VBP", "VBD"))
-_AUXILIARY = frozenset("be have do 's 're 've \u2019s \u2019re \u2019ve".split())
+_AUXILIARY = frozenset("be have do 's 're 've".split())
 _AFTER_EVENTS = frozenset("and then up down off out over back".split())
 _NAMING = frozenset("DT PRP PRP$ NN NNS NNP NNPS".split())
 _PERFORMING = frozenset("read sing recite announce".split())

@@ -13,7 +13,7 @@ from decomplex_bt.understanding.references.chunks import noun_chunks
 
 _SUBJECTS = frozenset("it he she they we there you i that those these".split())
 _TYPED = frozenset("isnt arent wasnt hasnt havent doesnt dont didnt cant couldnt".split())
-_DENYING = frozenset("not n't n’t nt".split())
+_DENYING = frozenset("not n't nt".split())
 _ABLE = frozenset("ca can cannot could cant couldnt".split())
 _UNDOING = _ABLE | frozenset("do did have dont didnt havent".split())
 _BETWEEN = frozenset("me us him her them know".split())

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from decomplex_bt.understanding.document import MARKS, Document
 
-_AHEAD = frozenset("not n't n\u2019t nt never to you i we".split())
+_AHEAD = frozenset("not n't nt never to you i we".split())
 """What tells that a "wait" is no order, or forbidden."""
 _NAMING = frozenset(("DET", "ADJ", "NOUN", "PROPN", "PRON", "NUM"))
 _LONGEST = 5

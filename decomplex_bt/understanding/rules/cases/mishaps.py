@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from decomplex_bt.understanding.document import MARKS, Document
 
 _OPENING = frozenset(("if", "unless", "should"))
-_BETWEEN = frozenset("do happen to accidentally still ever 've \u2019ve have by accident somehow only just".split())
-_HAVE = frozenset(("have", "'ve", "\u2019ve"))
+_BETWEEN = frozenset("do happen to accidentally still ever 've have by accident somehow only just".split())
+_HAVE = frozenset(("have", "'ve"))
 _BREAKING = frozenset(
     "break smash crack chip drop spill lose wake damage scratch hurt tear trip fall slip burn need misplace".split()
 )
@@ -70,7 +70,7 @@ def mishaps(document: Document) -> Iterator[Mishap]:
 def _reached(document: Document, first: int) -> int | None:
     """The "get" of what cannot be reached where it is only pointed at: "if you can't *get* at it"."""
     words = [token.lower for token in document.tokens[first : first + _CANNOT + 3]]
-    is_denied = words[0] in ("can", "ca", "could") and words[1:_CANNOT] in (["n't"], ["n\u2019t"], ["not"])
+    is_denied = words[0] in ("can", "ca", "could") and words[1:_CANNOT] in (["n't"], ["not"])
     is_at = is_denied and words[_CANNOT : _CANNOT + 2] == ["get", "at"] and words[-1] in ("it", "them", "that")
     return first + _CANNOT if is_at else None
 

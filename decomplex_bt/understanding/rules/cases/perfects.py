@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.document import MARKS, Document
 
-_IS_OR_HAS = frozenset(("'s", "\u2019s"))
-_HAVE = frozenset("has have had 's 've \u2019s \u2019ve ve".split())
-_HAVING = frozenset("has have had 've \u2019ve ve".split())
+_IS_OR_HAS = frozenset(("'s",))
+_HAVE = frozenset("has have had 's 've ve".split())
+_HAVING = frozenset("has have had 've ve".split())
 _PAST = frozenset(("VBN", "VBD"))
 _OBJECTS = frozenset("it them him me us".split())
 _HAVING_TWO_OBJECTS = frozenset("given told asked called named shown paid offered sent".split())
@@ -17,11 +17,11 @@ _WAITING = frozenset("until till once after".split())
 _OPENING = _WHETHER | frozenset("after once when until till as soon".split())
 _ASKING = frozenset("see check find look verify confirm".split())
 _SPEAKING = frozenset(("you", "i", "we", "to"))
-_NOT = frozenset("not n't n\u2019t nt".split())
+_NOT = frozenset("not n't nt".split())
 _LISTENER = frozenset(("you", "u", "ya"))
 _HAVING_AT_HAND = frozenset("get got bring take want need like".split())
 _DO = frozenset(("do", "does", "did"))
-_BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all yet both also ever".split())
+_BETWEEN = frozenset("just already not n't finally actually really now all yet both also ever".split())
 _PERFECTS = frozenset(
     "been got had come arrived fallen risen sat slipped dropped boiled walked driven started died nodded happened "
     "grown woken spat swallowed eaten passed returned escaped vanished disappeared begun drunk slept pulled".split()

@@ -11,7 +11,7 @@ _TAKING_CARE = frozenset(
     "bring take put get fetch leave keep pack grab close shut lock have light turn switch set hang stay prepare".split()
 )
 """What is done against something that may come."""
-_BEING = frozenset("be 's \u2019s 're \u2019re have".split())
+_BEING = frozenset("be 's 're have".split())
 _SPEAKERS = frozenset(("i", "we"))
 _BEFORE_CASES = MARKS | {"only", "but", "and", "or"}
 _ENDS = MARKS | {"and", "but", "then"}

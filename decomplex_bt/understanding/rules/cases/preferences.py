@@ -10,10 +10,10 @@ from decomplex_bt.understanding.cue_phrases import WISHING
 from decomplex_bt.understanding.document import ENDS, Document
 
 _OPENING = frozenset(("if", "when", "unless", "case"))
-_WOULD = frozenset("would 'd \u2019d d".split())
+_WOULD = frozenset("would 'd d".split())
 _VERBS = frozenset(("VB", "VBP"))
 _MARKS = frozenset((",", ";", ":", "-", "–", "—")) | ENDS
-_NOT = frozenset(("not", "n't", "n\u2019t"))
+_NOT = frozenset(("not", "n't"))
 _HELPING = _WOULD | _NOT | frozenset("does do did still really actually ever".split())
 _SPEAKERS = frozenset(("i", "we"))
 _NAMING = frozenset("DET ADJ NOUN PROPN PRON ADP NUM".split())

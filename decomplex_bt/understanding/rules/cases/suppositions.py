@@ -11,7 +11,7 @@ from decomplex_bt.understanding.document import Document
 MAY = frozenset(("may", "might", "could"))
 _SHOULD = MAY | {"should", "ought", "must", "will"}
 _HEDGES = frozenset("probably perhaps maybe likely supposedly presumably hopefully think believe guess reckon".split())
-_BEING = frozenset("is are was 's \u2019s".split())
+_BEING = frozenset("is are was 's".split())
 _DENIED = (("if", "not"), ("otherwise",), ("failing", "that"))
 """What turns to the case that a statement right before does not hold."""
 _TAKEN_UP = tuple(

@@ -12,8 +12,8 @@ from decomplex_bt.understanding.rules.cases.suppositions import participle
 from decomplex_bt.understanding.rules.orders.prohibitions import OMITTING, is_forbidden
 
 AWAITING = frozenset(("before", "until", "till", "til"))
-_HAVE = frozenset("has have 've \u2019ve ve".split())
-_BE = frozenset("is are 's \u2019s 're am 'm \u2019m m s re".split())
+_HAVE = frozenset("has have 've ve".split())
+_BE = frozenset("is are 's 're am 'm m s re".split())
 BE_OR_HAVE = _HAVE | _BE
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
 _ORDERED = frozenset(("you", "u"))

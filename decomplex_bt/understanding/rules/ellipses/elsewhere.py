@@ -12,10 +12,10 @@ from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.rules.ellipses.fragments import Fragment
 
 _SUBJECTS = frozenset("it they he she".split())
-_MODALS = frozenset("must will 'll \u2019ll might may should could would".split())
-_BE = frozenset("be is are 's \u2019s 're \u2019re".split())
+_MODALS = frozenset("must will 'll might may should could would".split())
+_BE = frozenset("be is are 's 're".split())
 _BETWEEN = frozenset("probably likely surely maybe perhaps still also usually always then just".split())
-_DENYING = frozenset("not n't n\u2019t nt no none".split())
+_DENYING = frozenset("not n't nt no none".split())
 _OPENING = frozenset(("if", "otherwise"))
 _CASES = frozenset(("if", "unless"))
 _FINDING = frozenset(("searching", "check_state"))

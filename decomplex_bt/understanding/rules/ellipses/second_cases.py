@@ -12,7 +12,7 @@ from decomplex_bt.understanding.states import OPPOSITES, SCALES
 
 _OPENING = frozenset("if unless when whenever once should were".split())
 _CASES = frozenset(("if", "when"))
-_BE = frozenset("is are was were be 's \u2019s 're \u2019re s re".split())
+_BE = frozenset("is are was were be 's 're s re".split())
 _NO_STATES = frozenset(
     "upstairs downstairs inside outside home away in up down high low good bad big small old light early late".split()
 )

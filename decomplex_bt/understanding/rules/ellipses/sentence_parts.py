@@ -30,17 +30,17 @@ _SOMETHING = frozenset(("anything", "something"))
 _CHOOSING = frozenset(("or", "else", "otherwise"))
 _SHARED = POINTING | {"them", "these", "it"}
 """What some is taken of: "two of those"."""
-DENYING = frozenset(("not", "n't", "n’t", "nt", "no", "none", "nobody", "nothing"))
+DENYING = frozenset(("not", "n't", "nt", "no", "none", "nobody", "nothing"))
 FORGET = "forget"
 _OR_ELSE = ("or", "else")
-_DO_NOT = frozenset((("do", "n't"), ("do", "n\u2019t"), ("do", "not"), ("do", "nt")))
+_DO_NOT = frozenset((("do", "n't"), ("do", "not"), ("do", "nt")))
 TAKING_UP = frozenset("it its they them their he him his she her".split())
 _CLOSED = frozenset("any one none some it them there here home left".split())
 """What may end a condition that is said in full: "if there isn't *one*", "if she's *home*"."""
 _WHERE = frozenset("in out outside inside up upstairs downstairs off on".split())
 _TO_WHOM = frozenset(("to", "for"))
-_WILL = frozenset("will would should 'll \u2019ll 'd \u2019d might".split())
-_IS = frozenset("is are 's \u2019s".split())
+_WILL = frozenset("will would should 'll 'd might".split())
+_IS = frozenset("is are 's".split())
 _GOOD = frozenset("fine ok okay great good lovely perfect nice alright enough acceptable grand".split())
 _QUITE = frozenset("just perfectly quite also probably all".split())
 _PRAISING = frozenset("nicely just me by with fine".split())

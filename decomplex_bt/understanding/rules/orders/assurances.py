@@ -16,7 +16,7 @@ from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 _SURE = frozenset(("sure", "certain"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
 _MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
-_DENYING = frozenset("not n't n\u2019t nt never longer".split())
+_DENYING = frozenset("not n't nt never longer".split())
 _PASSED_OVER = _MANNERS | _DENYING | {"no", "left", "ever"}
 """What may stand between an "is" and the state: "is *no longer* on", "is*n't left* open"."""
 _OF_NONE = frozenset(("none", "neither"))

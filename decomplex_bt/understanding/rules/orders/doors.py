@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from decomplex_bt.understanding.document import MARKS, Document
 
 _GET_THE_DOOR = ("get", "the", "door")
-_NOT_LET = frozenset("not n't n\u2019t nt dont never to who will 'll".split())
+_NOT_LET = frozenset("not n't nt dont never to who will 'll".split())
 _BEHIND_IN = frozenset("and then but if unless when once please first or".split())
 _NAMED = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON"))
 PEOPLE = frozenset(("me", "us", "him", "her", "them"))

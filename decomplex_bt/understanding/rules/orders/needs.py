@@ -30,13 +30,13 @@ OPENING = frozenset(
 """What may stand between the beginning of a sentence and the thing that needs something done, or who wants it."""
 _CASES = frozenset("if when unless once whenever".split())
 _OBLIGING = frozenset(("should", "must"))
-_OBLIGING_TO = frozenset("ought has have is are 's \u2019s 're \u2019re".split())
+_OBLIGING_TO = frozenset("ought has have is are 's 're".split())
 _IN_OBLIGATIONS = frozenset("also all both always first please now then got".split())
 _SAYING_SO = NEEDING | {"could", "time", "be"}
-_BEFORE_TIME = OPENING | frozenset("it 's \u2019s is its about high".split())
+_BEFORE_TIME = OPENING | frozenset("it 's is its about high".split())
 _NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
 _PLACING = frozenset("in on at of from by under behind upstairs downstairs outside".split())
-_INSIDE = _PLACING | {"'s", "\u2019s"}
+_INSIDE = _PLACING | {"'s"}
 _PERSONAL = frozenset("it its they them their he him his she her one ones some that those so".split())
 _FARTHEST = 3
 """Within so many words behind a need stands the verb of what is needed [tokens]."""

@@ -11,14 +11,14 @@ from decomplex_bt.understanding.document import FINITE, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.orders.spared import spared
 
-NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
+NEGATIONS = frozenset(("n't", "nt", "not", "never"))
 _AUXILIARIES = frozenset("do must should shall need dare".split())
 _BETWEEN = frozenset("please ever even".split())
 OMITTING = frozenset("forget omit neglect fail hesitate".split())
 """What not to do is to see to it: "don't forget to lock up", "don't hesitate to wake me"."""
 _POLITELY = frozenset("please maybe kindly perhaps possibly".split())
 _REQUESTING = frozenset("could can would will".split())
-_LETS = (("let", "'s"), ("let", "\u2019s"), ("let", "us"))
+_LETS = (("let", "'s"), ("let", "us"))
 _BEFORE_ADVICE = MARKS | frozenset("and but so then oh no".split())
 _LIMITS = frozenset("only just merely simply".split())
 """What is "not only" done is done as well."""

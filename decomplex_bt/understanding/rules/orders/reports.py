@@ -20,9 +20,9 @@ _SUBJECTS = _THEY | {"i", "we", "it", "there"}
 _DEFINITE = frozenset("the this that these those".split())
 _TYPED_IS = frozenset(("its", "theres", "hes", "shes", "theyre"))
 """What is typed for "it's" and the like."""
-_CONTRACTED = frozenset("'s 're 'm 'll 've 'd \u2019s \u2019re \u2019m \u2019ll \u2019ve \u2019d".split())
+_CONTRACTED = frozenset("'s 're 'm 'll 've 'd".split())
 _STATING = frozenset("be have do feel look seem love hate think know hope".split())
-_BEING = frozenset("'s 're 'm \u2019s \u2019re \u2019m is are am".split())
+_BEING = frozenset("'s 're 'm is are am".split())
 _NEEDING = frozenset("need want like fancy".split())
 """Verbs by which a clause is an order again: "... and I need a towel"."""
 _TIMES = frozenset(("before", "when", "while", "until", "till", "after", "once"))

@@ -17,7 +17,7 @@ _GOING_ON = MARKS | frozenset(("and", "but"))
 _THINGS = frozenset(("it", "them", "that", "those", "these", "this"))
 _WHERE = frozenset(("where", "as", "how"))
 _SUBJECTS = frozenset("it they that those these".split())
-_BE = frozenset("is are 's \u2019s 're \u2019re".split())
+_BE = frozenset("is are 's 're".split())
 _GOING = frozenset("go walk come head run drive return".split())
 """Behind these what is left is left where one has gone."""
 _DEFINITE = frozenset(("DT", "PRP$", "PDT"))

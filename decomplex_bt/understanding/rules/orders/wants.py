@@ -15,11 +15,11 @@ from decomplex_bt.understanding.vocabulary import ANIMALS, ONES, PERSON_NOUNS
 
 _SPEAKERS = frozenset(("i", "we"))
 _NEEDING = frozenset("need needs want wants".split())
-_WOULD = frozenset("would 'd \u2019d".split())
+_WOULD = frozenset("would 'd".split())
 _LIKING = frozenset(("like", "love", "prefer"))
 _COULD = (("could",), ("can",))
-_WOULD_NOT = (("would", "n't"), ("would", "not"), ("would", "n\u2019t"))
-_AM = (("'m",), ("am",), ("\u2019m",))
+_WOULD_NOT = (("would", "n't"), ("would", "not"))
+_AM = (("'m",), ("am",))
 _COLLOQUIAL: Mapping[str, tuple[tuple[tuple[str, ...], ...], tuple[str, ...]]] = MappingProxyType(
     {
         "fancy": (((), ("do",)), ()),
@@ -31,8 +31,8 @@ _COLLOQUIAL: Mapping[str, tuple[tuple[tuple[str, ...], ...], tuple[str, ...]]] =
     }
 )
 """By the verb of a wish what may stand between "I" and that, and what stands behind it."""
-_LACKING = frozenset("no none not n't n\u2019t nt".split())
-_HAVING = (["have"], ["'ve"], ["\u2019ve"], ["do"])
+_LACKING = frozenset("no none not n't nt".split())
+_HAVING = (["have"], ["'ve"], ["do"])
 _ADVERBS = frozenset("also really just now rather still badly urgently".split())
 _ASKING = frozenset(("check_state", "searching"))
 _JOINING_CASES = frozenset(("and", "but", "or", ","))

@@ -9,7 +9,7 @@ from decomplex_bt.understanding.document import ENDS, Document, Token
 from decomplex_bt.understanding.vocabulary import ONES
 
 _WISHING = frozenset("like want need love fancy".split())
-_BEFORE_WISHES = frozenset("'d \u2019d would do really just rather could so".split())
+_BEFORE_WISHES = frozenset("'d would do really just rather could so".split())
 _CASES = frozenset("if unless otherwise or else when once whether then also after before".split())
 _OPENING_CASES = frozenset("if unless is are when should in".split())
 _SPEAKERS = frozenset(("me", "us"))
@@ -32,7 +32,7 @@ _IDLE = tuple(
 _FILLERS = frozenset("well oh so um uh hmm hey ok okay right really just robot ,".split())
 _BRINGING = frozenset(("bringing", "taking"))
 _FETCHING = frozenset(("bringing", "taking", "searching"))
-_NOT_ORDERING = frozenset("to i we you he she they it not n't n\u2019t".split())
+_NOT_ORDERING = frozenset("to i we you he she they it not n't".split())
 
 
 def is_background(document: Document, at: int, request: int, kind: str) -> bool:

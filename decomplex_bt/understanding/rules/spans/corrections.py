@@ -21,9 +21,7 @@ from decomplex_bt.understanding.vocabulary import ONES, PREPOSITIONS
 _PLACES = frozenset(("source", "location"))
 _TAKEN_UP = {"object": frozenset("it them one some any that those".split()), "recipient": frozenset(("me", "us"))}
 """By what the argument of a type is taken up that was said before its verb."""
-_IT_IS = tuple(
-    [pronoun, be] for pronoun, be in (("it", "'s"), ("it", "\u2019s"), ("it", "is"), ("they", "'re"), ("they", "are"))
-)
+_IT_IS = tuple([pronoun, be] for pronoun, be in (("it", "'s"), ("it", "is"), ("they", "'re"), ("they", "are")))
 _ORDERED = frozenset(("change_state", "bringing", "taking"))
 _MEALS = frozenset("yesterday breakfast lunch dinner supper tea".split())
 _TIMES_OF_DAY = frozenset("night week morning month year weekend afternoon christmas".split())

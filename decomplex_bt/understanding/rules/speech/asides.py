@@ -215,7 +215,7 @@ def _is_order(document: Document, at: int) -> bool:
     """Whether a verb in its bare form begins an order within a clause."""
     tokens = document.tokens
     before = tokens[at - 1]
-    is_led = before.tag in ("TO", "MD") or before.lower in ("do", "does", "n't", "not", "n\u2019t", "to")
+    is_led = before.tag in ("TO", "MD") or before.lower in ("do", "does", "n't", "not", "to")
     has_subject = any(tokens[i].dep in ("nsubj", "nsubjpass") and i < at for i in document.children[at])
     return tokens[at].tag in ("VB", "VBP") and tokens[at].pos == "VERB" and not is_led and not has_subject
 

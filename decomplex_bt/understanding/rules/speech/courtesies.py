@@ -13,9 +13,9 @@ _OPENERS = (
     ("providing", "that"), ("assuming",), ("assuming", "that"),
 )  # fmt: skip
 _SUBJECTS = frozenset(("it", "that", "this"))
-_BEING = frozenset("is 's \u2019s s be would wo was will".split())
-_HEDGING = frozenset("too much very any a an no not n't n\u2019t nt of such terrible great big really just".split())
-_DENYING = frozenset("no not n't n\u2019t nt".split())
+_BEING = frozenset("is 's s be would wo was will".split())
+_HEDGING = frozenset("too much very any a an no not n't nt of such terrible great big really just".split())
+_DENYING = frozenset("no not n't nt".split())
 _BURDENS = frozenset("trouble bother hassle imposition inconvenience nuisance fuss".split())
 _FOR_WHOM = (("for", "you"), ("to", "you"), ("at", "all"))
 

@@ -79,7 +79,7 @@ class Said:
 
     @classmethod
     def of(cls, document: Document) -> Said:
-        words = [token.lower.replace("\u2019", "'") for token in document.tokens]
+        words = [token.lower for token in document.tokens]
         runs: list[range] = []
         i = 0
         while i < len(words):

@@ -10,7 +10,7 @@ from decomplex_bt.understanding.rules.speech.edits import MARKS, Said
 
 _WANTING = frozenset("want need like love".split())
 _MATTERS = frozenset("thing trouble problem issue point snag fact truth".split())
-_IS = frozenset("is 's \u2019s".split())
+_IS = frozenset("is 's".split())
 _OPENING_ORDERS = frozenset("if when unless can could would please just go let".split())
 
 

@@ -10,9 +10,9 @@ from decomplex_bt.understanding.rules.ellipses.opened_cases import attended, den
 from decomplex_bt.understanding.rules.speech.second_thoughts import second_thoughts
 
 _CASES = frozenset("if when unless once".split())
-_IS = frozenset("'s \u2019s is are s".split())
+_IS = frozenset("'s is are s".split())
 _SUBJECTS = frozenset(("PRP", "WDT", "WP", "EX"))
-_NEGATIONS = frozenset(("n't", "n\u2019t", "nt", "not"))
+_NEGATIONS = frozenset(("n't", "nt", "not"))
 
 
 def marked(document: Document) -> Remainder | None:

@@ -21,8 +21,8 @@ _INVERTED = 6
 """The most words between a "were" and its "to"."""
 _POINTING = frozenset(("that", "this"))
 _SOMEBODY = frozenset("he she they it".split())
-_BEING = frozenset("'s \u2019s s is are 're \u2019re isn't isnt".split())
-_DENYING = frozenset(("not", "n't", "n\u2019t"))
+_BEING = frozenset("'s s is are 're isn't isnt".split())
+_DENYING = frozenset(("not", "n't"))
 _TRUE = frozenset("true right correct so".split())
 _FALSE = frozenset("false wrong untrue incorrect mistaken".split())
 _SAYING = frozenset(
