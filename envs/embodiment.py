@@ -61,11 +61,13 @@ class HouseholdEmbodiment:
         self.floorplan = floorplan_of(domain.house, domain.kinds, radius=self.config.radius)
         self.senses = Senses(domain.house, domain.kinds, self.floorplan)
         self.ended: Any = None
+        self.is_out_of_time = False
         self._last: Any = None
 
-    def end(self, observation: Mapping[str, Any]) -> None:
-        """Tells the body that the episode has ended, and with what observation: what everybody else is told as well."""
-        self.ended = observation
+    def end(self, observation: Mapping[str, Any], *, is_out_of_time: bool) -> None:
+        """Tells the body that the episode has ended, with what observation, and whether by the time limit: what
+        everybody else is told by `step` as well."""
+        self.ended, self.is_out_of_time = observation, is_out_of_time
 
     # -- the protocol -------------------------------------------------------------------------------------------------
 
@@ -74,6 +76,7 @@ class HouseholdEmbodiment:
         _check(observation, len(self.senses.names))
         self.senses.clear()
         self._last = self.ended = None
+        self.is_out_of_time = False
         self.sense(observation)
 
     def perceive(self, observation: Mapping[str, Any]) -> Percept:

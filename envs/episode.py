@@ -43,7 +43,8 @@ class Episode:
     """One episode of an environment. Making it takes the first look, `step` does one action.
 
     `world`, `sensor`, `judge` and `verdict` are of this moment, `start` is how the world began, `text` the instruction;
-    `house` is the path or the seed of its house; `is_over` after the step that ended it.
+    `house` is the path or the seed of its house; `is_over` after the step that ended it, `is_out_of_time` where that
+    was the time limit alone.
     """
 
     def __init__(
@@ -91,7 +92,7 @@ class Episode:
         self._numbers, self._pose, self._clock = numbers.data, numbers[:-1], numbers[-1:]
         self._is_table_full = len(self.sensor.table) == self._rows
         self._constant_info = {"instruction": text, **judge.feasibility()}
-        self.is_over = False
+        self.is_over = self.is_out_of_time = False
 
     def _add_noise(self, options: Options) -> None:
         """How likely grasps slip and looks miss something: as the house has it, or as the options want it."""
@@ -146,7 +147,8 @@ class Episode:
         if terminated and self.verdict.is_success:
             self._shortest_length = self._measure_shortest_path()
         self.is_over = terminated or is_late
-        return self._reward(before, terminated), terminated, is_late and not terminated
+        self.is_out_of_time = is_late and not terminated
+        return self._reward(before, terminated), terminated, self.is_out_of_time
 
     def _meddle(self, meddler: Meddler) -> Move | None:
         """Lets somebody else move a thing, if it is time to, and tells the judge."""

@@ -546,9 +546,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def _tell_bodies(self) -> None:
         """Tells the bodies that were handed out that the episode is over; they ask for nothing themselves."""
+        episode = self._running
         for body in (reference() for reference in self._bodies):
             if body is not None:
-                body.end(self._running.observe())
+                body.end(episode.observe(), is_out_of_time=episode.is_out_of_time)
 
     def _make_camera(self) -> Camera:
         from decomplex_bt.envs.rendering.camera import Camera

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, SupportsIndex
 
+from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Sequence as InOrder
+from py_trees.decorators import Decorator
 from py_trees.trees import BehaviourTree
 
 from decomplex_bt.behaviour.compiler import CompiledTree, compile_flow
@@ -62,9 +64,10 @@ class TreeAgent:
     `threshold` or `planner` that is none.
 
     After `reset`: `instruction`, `grounded`, `tree` (a `py_trees.trees.BehaviourTree`), `compiled` (tree and flow, node
-    by node), `session`; before it they raise `RuntimeError`. While it runs: `status`, and `failures` with the reasons
-    of failed tasks. `done` is true once the agent has sent its last action, which ends the episode, or the episode has
-    ended without it. An agent cannot be copied or pickled, for its skills are under way: that is a `TypeError`.
+    by node), `session`; before it they raise `RuntimeError`. While it runs: `status`, `failures` with the reasons of
+    failed tasks, `not_attempted` with what was to come behind them. `done` is true once the agent has sent its last
+    action, which ends the episode, or the episode has ended without it. An agent cannot be copied or pickled, for its
+    skills are under way: that is a `TypeError`.
     """
 
     def __init__(
@@ -156,6 +159,9 @@ class TreeAgent:
             if self._has_finished or self.tree.root.status in (Status.SUCCESS, Status.FAILURE):
                 return
             self._tick(self._episode, ended)
+        if getattr(self._body, "is_out_of_time", False) and self.tree.root.status is Status.RUNNING:
+            self.session.is_out_of_time = True
+            self._tick(self._episode, ended)
 
     # -- how it stands ------------------------------------------------------------------------------------------------
 
@@ -219,17 +225,31 @@ class TreeAgent:
     def status(self) -> Status:
         """The status of the tree's root: INVALID before the first action, then RUNNING, in the end SUCCESS or FAILURE.
 
-        With what the episode has ended is taken in. A tree that is still RUNNING then was interrupted: by the time
-        limit, a violation, or a judge who was content with less.
+        With what the episode has ended is taken in. Where that was the time limit, the task at work fails, and the
+        status is FAILURE. A tree that is still RUNNING then was interrupted by a violation, or by a judge who was
+        content with less; which of the two, the judge alone knows.
         """
         self._conclude()
-        return Status.INVALID if self._episode is None else self.tree.root.status
+        if self._episode is None:
+            return Status.INVALID
+        status = self.tree.root.status  # RUNNING where a decorator, as `Retry`, would go on if it had the time
+        return Status.FAILURE if status is Status.RUNNING and self.session.is_out_of_time else status
 
     @property
     def failures(self) -> tuple[Failure, ...]:
         """Why tasks failed, in order; empty where none did. A condition that is false is no failure."""
         self._conclude()
         return tuple(self.session.failures)
+
+    @property
+    def not_attempted(self) -> tuple[Failure, ...]:
+        """The tasks that were still to come when a failed one ended the instruction, in order; empty where none did.
+
+        Of a condition that was not reached it is the condition alone: nobody knows which of its branches was due.
+        Raises `RuntimeError` before the first `reset`, as `failures` does.
+        """
+        root = self.tree.root
+        return tuple(map(_not_attempted, _unreached(root))) if self.status is Status.FAILURE else ()
 
     def branches(self) -> tuple[tuple[int, bool | None, str | None], ...]:
         """The conditions judged so far, in order: the task, whether it held (None: undecided), the branch taken.
@@ -335,6 +355,25 @@ def _is_led_to(leaf: PlannedTask, tree: BehaviourTree) -> bool:
             return False
         node = above
     return True
+
+
+def _unreached(node: Behaviour) -> Iterator[GroundTask]:
+    """The tasks below a node that it never came to, without those of branches that its conditions did not lead to."""
+    if isinstance(node, PlannedTask):
+        if node.status is Status.INVALID:
+            yield node.task
+        return
+    below: list[Behaviour] = []
+    if isinstance(node, IfThenElse):
+        below = [child for child in (node.condition, node.branch) if child is not None]
+    elif isinstance(node, InOrder | Decorator):
+        below = node.children
+    for child in below:
+        yield from _unreached(child)
+
+
+def _not_attempted(task: GroundTask) -> Failure:
+    return Failure("execution", task.number, task.span, action=None, expected="", observed="not attempted")
 
 
 def _as_spoken(task: Task, instruction: Instruction) -> Task:

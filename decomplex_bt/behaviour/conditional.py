@@ -52,9 +52,14 @@ class IfThenElse(Composite):
         self.truth: bool | None = None
 
     @property
+    def branch(self) -> Behaviour | None:
+        """The branch that the condition led to; None before, or where that branch is missing."""
+        return None if self.truth is None else self.then if self.truth else self.orelse
+
+    @property
     def taken(self) -> str | None:
-        """The branch that the condition led to, "then" or "else"; None before, or where that branch is missing."""
-        branch = self._branch() if self.truth is not None else None
+        """Which one that is, "then" or "else"; None where there is none."""
+        branch = self.branch
         return None if branch is None else "then" if branch is self.then else "else"
 
     def insert_child(self, child: Behaviour, index: int) -> uuid.UUID:
@@ -132,15 +137,12 @@ class IfThenElse(Composite):
             self.feedback_message = f"cannot be decided: {undecorated(self.condition).feedback_message}"
             return Status.FAILURE
         self.truth = self.condition.status == Status.SUCCESS
-        branch = self._branch()
+        branch = self.branch
         if branch is None:
             self.feedback_message = "nothing was asked for in this case"
             return Status.SUCCESS
         self.current_child = branch
         return None
-
-    def _branch(self) -> Behaviour | None:
-        return self.then if self.truth else self.orelse
 
 
 def undecorated(node: Behaviour) -> Behaviour:

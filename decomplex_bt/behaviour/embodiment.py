@@ -40,11 +40,13 @@ class Embodiment(Protocol):
     """A body: it makes percepts of observations and skills of plan steps; it holds no reference to the true world.
 
     `domain`: what it lives in, the house map included. `ended`: the observation with which the episode has ended, None
-    while it runs (a body need not have it; the agent then learns of an end only by what it did itself).
+    while it runs; `is_out_of_time`: whether it has ended by the time limit (a body need not have these two; the agent
+    then learns of an end only by what it did itself).
     """
 
     domain: Domain
     ended: Any
+    is_out_of_time: bool
 
     def reset(self, observation: Any) -> None:
         """Forgets the last episode."""

@@ -8,7 +8,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from decomplex_bt.behaviour.embodiment import Skill, SkillStatus
-from decomplex_bt.behaviour.failure import Failure
+from decomplex_bt.behaviour.failure import Failure, Stage
 from decomplex_bt.behaviour.session import Fingerprint, Session
 from decomplex_bt.planning.ground_task import GroundTask
 from decomplex_bt.planning.pddl import Atom, GroundAction
@@ -25,6 +25,7 @@ PATIENCE_TICKS = 5
 COMMITTED = ("follow", "tag-along")
 """Actions under way that are not given up for what is believed meanwhile: a person who leads the way is lost from sight
 now and then, and not where they were."""
+OUT_OF_TIME = "the time was up"
 UNDECIDABLE_TYPES = ("check_state", "searching")
 """Types of tasks that, given up, are neither true nor false as a condition."""
 
@@ -82,6 +83,9 @@ class PlannedTask(Behaviour):
                 f"{self.name!r} was ticked before there was an observation; call agent.act(observation), "
                 "or agent.session.begin_tick(observation) before each agent.tree.tick()"
             )
+        if session.is_out_of_time:
+            self.feedback_message = OUT_OF_TIME
+            return self._fail("execution", self.step, OUT_OF_TIME)
         for _ in range(MAX_ROUNDS):
             # The skill first: that its step is done must be known before the plan is looked at again.
             action = self._tick_skill() if self._skill is not None else None
@@ -246,25 +250,21 @@ class PlannedTask(Behaviour):
         self.feedback_message = pursuit.reason
         if self.is_condition and pursuit.truth is False:
             return Status.FAILURE
-        self.is_undecided = self.is_condition
-        self.session.failures.append(self._failure(pursuit))
-        return Status.FAILURE
-
-    def _failure(self, pursuit: Pursuit) -> Failure:
         step, problem = self._last_problem
         has_tried = step is not None and not pursuit.gave_up
         observed = pursuit.reason or problem or "nothing is left to try"
         if not has_tried and not pursuit.gave_up and problem not in observed:
             observed += f"; the planner: {problem}"
-        return Failure(
-            stage="execution" if has_tried else "planning",
-            task=self.task.number,
-            words=self.task.span,
-            action=step if has_tried else None,
-            expected=" ".join(str(atom) for atom in self._goal),
-            observed=observed,
-            attempts=self._attempts,
+        return self._fail("execution" if has_tried else "planning", step if has_tried else None, observed)
+
+    def _fail(self, stage: Stage, action: GroundAction | None, observed: str) -> Status:
+        """Takes down why the task failed; as a condition it is then neither true nor false."""
+        self.is_undecided = self.is_condition
+        expected = " ".join(str(atom) for atom in self._goal)
+        self.session.failures.append(
+            Failure(stage, self.task.number, self.task.span, action, expected, observed, self._attempts)
         )
+        return Status.FAILURE
 
     def _show(self) -> None:
         step = self.step

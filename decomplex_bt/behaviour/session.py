@@ -24,8 +24,8 @@ class Session:
     """One episode's shared state; each tree has its own, so trees in one process have nothing in common.
 
     `observation` is this tick's. `action` is what the running leaf wants done in this tick, None until it says so.
-    `bindings`: what phrases have turned out to mean. `failures`: why tasks failed, in order. `plans` and `replans` are
-    counts over the episode.
+    `is_out_of_time`: the time limit has ended the episode. `bindings`: what phrases have turned out to mean.
+    `failures`: why tasks failed, in order. `plans` and `replans` are counts over the episode.
     """
 
     embodiment: Embodiment
@@ -34,6 +34,7 @@ class Session:
     make_problem: Callable[..., Problem] = belief_problem
     observation: Any = None
     action: Any = None
+    is_out_of_time: bool = False
     bindings: Bindings = field(default_factory=dict)
     failures: list[Failure] = field(default_factory=list)
     plans: int = 0

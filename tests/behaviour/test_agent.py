@@ -158,6 +158,36 @@ def test_the_last_action_ends_the_episode_and_says_why():
     assert actions[-1]["interact"] == agent.act(None)["interact"]
 
 
+@pytest.mark.parametrize(
+    ("flow", "later"),
+    [
+        ([1, 2, 3, 4], [2, 3, 4]),
+        ([1, {"if": 2, "then": [3]}, 4], [2, 4]),  # whether task 3 was due nobody knows
+        ([{"if": 2, "then": [4], "else": [3, 1]}], []),
+        ([{"if": 2, "else": [4, 1, 3]}], [3]),
+        ([2, 3, 4, 1], []),
+    ],
+)
+def test_what_was_to_come_behind_a_failed_task_is_reported_as_not_attempted(flow, later):
+    instruction = markup(
+        "[Turn](1:change_state) [on](1:state) [the tv](1:object), [is](2:check_state) [the heater](2:object) "
+        "[on](2:state), [turn](3:change_state) [off](3:state) [the tv](3:object), [go](4:motion) [to the "
+        "hallway](4:goal).",
+        flow,
+    )
+    states = {"tv": "off", "heater": "off"}
+    agent, info, _ = run(make_env(), instruction, 1, chance=False, broken=["tv"], states=states)
+    assert not info["is_success"]
+    assert [failure.task for failure in agent.failures] == [1]
+    assert [failure.task for failure in agent.not_attempted] == later
+    for failure in agent.not_attempted:
+        words = agent.instruction.tasks[failure.task - 1].span
+        assert failure.to_json() == {
+            "stage": "execution", "task": failure.task, "words": [words.start, words.end], "action": None,
+            "reason": "not attempted", "attempts": 0,
+        }  # fmt: skip
+
+
 def test_a_false_condition_is_no_failure_and_the_branch_is_told():
     instruction = markup(
         "If [the tv](1:object) [is](1:check_state) [on](1:state), [go](2:motion) [to the kitchen](2:goal).",
@@ -385,7 +415,7 @@ def test_what_no_agent_can_use_is_refused_at_once(odd):
 
 def test_before_a_reset_there_are_neither_failures_nor_branches():
     agent = decomplex_bt.TreeAgent(make_env())
-    for ask in (lambda: agent.failures, agent.branches):
+    for ask in (lambda: agent.failures, lambda: agent.not_attempted, agent.branches):
         with pytest.raises(RuntimeError, match="reset"):
             ask()
 

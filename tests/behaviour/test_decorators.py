@@ -51,6 +51,15 @@ def run(env, agent, observation):
     return info
 
 
+def test_what_would_be_tried_again_has_failed_when_the_time_is_up():
+    env, agent, observation = start(GO, max_seconds=0.3)
+    leaf = agent.tree.root.children[0]
+    agent.tree.root.replace_child(leaf, Retry("again", leaf, 3))
+    run(env, agent, observation)
+    assert agent.status is Status.FAILURE
+    assert [failure.observed for failure in agent.failures] == ["the time was up"]
+
+
 def test_a_task_that_failed_is_tried_again():
     env, agent, observation = start(GO, planner=Busy())
     leaf = agent.tree.root.children[0]

@@ -194,11 +194,37 @@ def test_an_agent_knows_that_the_judge_was_first(index):
     assert not agent.failures
 
 
-def test_an_agent_whose_time_is_up_is_done_and_was_still_at_it():
+def test_an_agent_whose_time_is_up_is_done_and_has_failed_at_what_it_was_at():
     agent, steps = play(gym.make(HOUSEHOLD), GO, 0, chance=False, max_seconds=0.3)
     assert len(steps) == 3
     assert agent.done
-    assert agent.status == Status.RUNNING
+    assert agent.status == Status.FAILURE
+    (failure,) = agent.failures
+    assert (failure.stage, failure.task, failure.words, failure.attempts) == ("execution", 1, (0, 2), 1)
+    assert failure.action is not None
+    assert failure.observed == "the time was up"
+    assert agent.failures == (failure,)
+    assert agent.not_attempted == ()
+
+
+def test_a_condition_that_the_time_was_too_short_for_is_undecided():
+    asked = markup(
+        "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) "
+        "[off](2:state), otherwise [go](3:motion) [to the study](3:goal). [Close](4:change_state) [the "
+        "fridge](4:object).",
+        [{"if": 1, "then": [2], "else": [3]}, 4],
+    )
+    agent, _ = play(gym.make(HOUSEHOLD), asked, 0, chance=False, max_seconds=0.3)
+    assert agent.branches() == ((1, None, None),)
+    assert [failure.task for failure in agent.failures] == [1]
+    assert [(failure.task, failure.reason) for failure in agent.not_attempted] == [(4, "not attempted")]
+
+
+def test_an_agent_forgets_that_the_time_of_the_last_episode_was_up():
+    env = gym.make(HOUSEHOLD)
+    agent, _ = play(env, GO, 0, chance=False, max_seconds=0.3)
+    agent.reset(*env.reset(seed=0, options={"instruction": GO, "chance": False}))
+    assert (agent.done, agent.status, agent.failures) == (False, Status.INVALID, ())
 
 
 def test_an_agent_is_not_done_before():
