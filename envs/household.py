@@ -133,7 +133,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     ## Reset options
     `house_seed` (stays until another is given, and None undoes it) and `house` (a file, for this episode), as long as
     it fits the spaces, `instruction` (a text, an annotated `Instruction` or a corpus `Example`; stays until replaced,
-    and None lets resets draw one again), `gold` (the reading the judge goes by, for a text), `balance`, `placement`,
+    and None lets resets draw one again), `gold` (the reading the judge goes by; beside an `instruction` it stays with
+    it, else it holds for this episode, of the instruction there is or of its own text), `balance`, `placement`,
     `states`, `broken`, `people`, `noise`, `grasp_slip`, `missed_detection`, `meddling`, `chance`, `max_seconds`,
     `reward`: see `options.Options`. Unknown keys are refused. A reset that is refused leaves instruction, house and
     episode as they were. Without an instruction each reset draws one from the corpus; in the world drawn for it, it may
@@ -493,13 +494,13 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
         check_keys(options)
         options = with_instruction(options, instruction)
-        request = asked_by(options, self._request)
+        request, asked = asked_by(options, self._request)
         super().reset(seed=seed)
-        self._choose_house(options, request)
+        self._choose_house(options, asked)
         checked = read_options(options, self.setting.geometry)
         if request is not self._request:
             self._request, self._judge = request, None
-        return self._draw(checked, self.np_random, self._request)
+        return self._draw(checked, self.np_random, asked)
 
     def _begin(self, begin: Callable[[], Episode], before: Domain) -> tuple[Observation, dict[str, Any]]:
         """Begins an episode in the house of now; up to here nothing of the last one was touched."""
@@ -532,7 +533,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
         if request is None:
             return draw_asked(self._home.base, self.setting, generators.asking)
-        if request is not self._request:  # a replayed one, whose judge is not that of the resets to come
+        if request is not self._request:  # of this episode alone, whose judge is not that of the resets to come
             return request, judge_for(request, self.domain)
         if self._judge is None:
             self._judge = judge_for(request, self.domain)

@@ -182,14 +182,22 @@ def read_request(instruction: Any, gold: Any = None) -> Request | None:
     return Request(check_text(instruction), reading)
 
 
-def asked_by(options: Mapping[str, Any] | None, before: Request | None) -> Request | None:
-    """What is to be done from a reset with these options on, where it was `before` until then; None: what is drawn.
+def asked_by(options: Mapping[str, Any] | None, before: Request | None) -> tuple[Request | None, Request | None]:
+    """What is to be done from a reset with these options on, where it was `before` until then, and what in its episode;
+    None: what is drawn.
 
-    An instruction of None is no missing one: it undoes the one there was. Raises `InputError`.
+    An instruction stays, with the gold reading that is given beside it; one of None is no missing one: it undoes the
+    one there was. A gold reading alone is of the episode, as of what is to be done, or of its own text where nothing
+    is. Raises `InputError`.
     """
     given = options or {}
-    request = read_request(given.get("instruction"), given.get("gold"))
-    return before if request is None and "instruction" not in given else request
+    instruction, gold = given.get("instruction"), given.get("gold")
+    if instruction is not None:
+        before = read_request(instruction, gold)
+        return before, before
+    if "instruction" in given:
+        before = None
+    return before, before if gold is None else read_request(None if before is None else before.text, gold)
 
 
 def check_text(text: str) -> str:

@@ -32,6 +32,8 @@ class HouseholdVectorEnv(SyncVectorEnv):
 
         Raises `InputError` where there are not as many instructions or seeds as environments, or one cannot be used.
         """
+        from decomplex_bt.envs.options import asked_by
+
         if options is not None and not isinstance(options, Mapping):
             raise InputError(f"options is {options!r}; expected a mapping, as in {{'instructions': [...]}}")
         if isinstance(seed, list | tuple | np.ndarray) and len(seed) != self.num_envs:
@@ -47,7 +49,8 @@ class HouseholdVectorEnv(SyncVectorEnv):
                 self._rehearse(chosen, seed, options, instructions)
                 for index in chosen:
                     if instructions[index] is not _AS_IT_WAS:
-                        houses[index].instruction = instructions[index]
+                        asked, _ = asked_by({**options, "instruction": instructions[index]}, None)
+                        houses[index].instruction = asked
             return super().reset(seed=seed, options=options)
         except BaseException:
             for house, request in zip(houses, former, strict=True):

@@ -117,6 +117,22 @@ def test_the_instruction_survives_every_autoreset(mode, autoreset):
         envs.close()
 
 
+def test_a_gold_reading_is_of_the_instruction_that_each_of_a_vector_has():
+    envs = gym.make_vec(HOUSEHOLD, num_envs=2, instruction=ASK)
+    texts = ["Off to the kitchen!", "Quick, to the kitchen!"]
+    for options, asked, met in (
+        ({"gold": TELL}, [ASK.text] * 2, 1),
+        ({}, [ASK.text] * 2, 2),
+        ({"instructions": texts, "gold": TELL}, texts, 1),
+        ({}, texts, 1),
+    ):
+        _, info = envs.reset(seed=1, options={**options, "states": {"tv": "on"}})
+        assert list(info["instruction"]) == asked
+        assert list(info["judged_by"]) == ["gold"] * 2
+        assert list(info["goal_conditions_total"]) == [met] * 2
+    envs.close()
+
+
 def test_flat_vectors_and_their_actions():
     envs = gym.make_vec(HOUSEHOLD_FLAT, num_envs=3, instruction=GO, vectorization_mode="sync")
     observation, _ = envs.reset(seed=0)

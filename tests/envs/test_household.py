@@ -320,6 +320,23 @@ def test_an_instruction_of_none_beside_another_one_is_none_to_undo():
     assert env.reset(seed=0, options={"instruction": None, "gold": GO})[1]["instruction"] == GO.text
 
 
+@pytest.mark.parametrize("standing", [None, TV], ids=["drawn", "given"])
+def test_a_gold_reading_alone_is_of_its_episode_alone(standing):
+    env, fresh = HouseholdEnv(standing), HouseholdEnv(standing)
+    info = env.reset(seed=0, options={"gold": GO})[1]
+    assert (info["instruction"], info["judged_by"]) == (GO.text if standing is None else TV.text, "gold")
+    assert env.request == fresh.request
+    for seed in (1, 2):
+        assert env.reset(seed=seed)[1] == fresh.reset(seed=seed)[1]
+
+
+def test_a_gold_reading_beside_an_instruction_stays_with_it():
+    env = HouseholdEnv()
+    env.reset(seed=0, options={"instruction": "Off to the kitchen!", "gold": GO})
+    info = env.reset(seed=1)[1]
+    assert (info["instruction"], info["judged_by"]) == ("Off to the kitchen!", "gold")
+
+
 def test_where_what_undoes_an_instruction_is_refused_it_stays():
     env = HouseholdEnv(GO)
     with pytest.raises(InputError, match="attic"):
