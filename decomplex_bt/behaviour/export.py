@@ -105,37 +105,49 @@ class TraceRecorder(VisitorBase):
     """Takes down every change of a node's status or feedback, as `run --json` prints it.
 
     Add it to a tree's visitors. `clock` gives the simulated seconds, `tick` the number of the tick. Entries have the
-    keys tick, sim_seconds, node (its place in the flow, as "0/then/1"), name, status, feedback and event ("started",
-    "finished", "interrupted" or "changed").
+    keys tick, sim_seconds, node (its place in the flow, as "0/then/1", "" of the whole; None of what was put into the
+    tree besides), name, status, feedback and event ("started", "finished", "interrupted" or "changed"). Interrupted is
+    what was RUNNING and was stopped, by a node of higher priority or from outside; that one which has finished is made
+    ready to run again is no change.
     """
 
     def __init__(self, compiled: CompiledTree, clock: Callable[[], float], tick: Callable[[], int]) -> None:
         super().__init__(full=False)
         self.entries: list[dict[str, Any]] = []
-        self._paths = {id(node): "/".join(map(str, path)) for path, node in compiled.nodes.items()}
+        self._paths = {node: "/".join(map(str, path)) for path, node in compiled.nodes.items()}
         self._clock, self._tick = clock, tick
-        self._last: dict[int, tuple[Status, str]] = {}
+        self._last: dict[Behaviour, tuple[Status, str]] = {}
+
+    def initialise(self) -> None:
+        """Takes down what was stopped since the last tick."""
+        self._note_interrupted()
+
+    def finalise(self) -> None:
+        """Takes down what this tick has stopped: nobody visits it, and it may be no part of the tree any more."""
+        self._note_interrupted()
+
+    def _note_interrupted(self) -> None:
+        for behaviour, (status, _) in self._last.items():
+            if status is Status.RUNNING and behaviour.status is Status.INVALID:
+                self.run(behaviour)
 
     def run(self, behaviour: Behaviour) -> None:
         now = behaviour.status, behaviour.feedback_message
-        before = self._last.get(id(behaviour), (Status.INVALID, ""))
+        before = self._last.get(behaviour, (Status.INVALID, ""))
         if now == before:
             return
-        self._last[id(behaviour)] = now
+        self._last[behaviour] = now
         self.entries.append(
             {
                 "tick": self._tick(),
                 "sim_seconds": round(self._clock(), 3),
-                "node": self._paths.get(id(behaviour), ""),
+                "node": self._paths.get(behaviour),
                 "name": behaviour.name,
                 "status": behaviour.status.value.lower(),
                 "feedback": behaviour.feedback_message,
                 "event": _event(before[0], now[0]),
             }
         )
-
-    def finalise(self) -> None:
-        """Nothing to do after a tick."""
 
 
 def _event(before: Status, now: Status) -> str:

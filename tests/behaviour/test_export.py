@@ -122,6 +122,43 @@ def test_trace_holds_changes_only():
     assert recorder.entries[2]["sim_seconds"] == 0.2
 
 
+def test_trace_tells_what_was_interrupted_and_by_what():
+    tree = compiled([1, 2], queues={1: [Status.RUNNING]})
+    guard = StatusQueue("guard", [Status.FAILURE, Status.FAILURE, Status.RUNNING], eventually=Status.FAILURE)
+    behaviour_tree = py_trees.trees.BehaviourTree(
+        py_trees.composites.Selector("safe", memory=False, children=[guard, tree.root])
+    )
+    recorder = TraceRecorder(tree, clock=lambda: 0.0, tick=lambda: behaviour_tree.count)
+    behaviour_tree.add_visitor(recorder)
+    for _ in range(4):
+        behaviour_tree.tick()
+    assert [(e["tick"], e["node"], e["name"], e["status"], e["event"]) for e in recorder.entries] == [
+        (0, None, "guard", "failure", "finished"),
+        (0, "0", NAMES[1], "running", "started"),
+        (0, "", "what was said", "running", "started"),
+        (0, None, "safe", "running", "started"),
+        (2, None, "guard", "running", "started"),
+        (2, "0", NAMES[1], "invalid", "interrupted"),
+        (2, "", "what was said", "invalid", "interrupted"),
+        (3, None, "guard", "failure", "finished"),
+        (3, "0", NAMES[1], "running", "started"),
+        (3, "", "what was said", "running", "started"),
+    ]
+
+
+def test_trace_tells_what_was_stopped_from_outside_between_two_ticks():
+    tree = compiled([1], queues={1: [Status.RUNNING]})
+    behaviour_tree = py_trees.trees.BehaviourTree(tree.root)
+    recorder = TraceRecorder(tree, clock=lambda: 0.0, tick=lambda: behaviour_tree.count)
+    behaviour_tree.add_visitor(recorder)
+    behaviour_tree.tick()
+    tree.root.stop(Status.INVALID)
+    behaviour_tree.tick()
+    assert [(e["node"], e["event"]) for e in recorder.entries] == [
+        ("0", "started"), ("", "started"), ("0", "interrupted"), ("", "interrupted"), ("0", "started"), ("", "started"),
+    ]  # fmt: skip
+
+
 def test_xml_has_no_node_for_other_composites():
     selector = py_trees.composites.Selector("either", memory=False, children=[compiled().root])
     with pytest.raises(InputError, match="Selector"):
