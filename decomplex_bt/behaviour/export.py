@@ -19,11 +19,11 @@ from decomplex_bt.planning.ground_task import GroundTask
 
 ASCII = {
     Status.SUCCESS: "[x]", Status.FAILURE: "[!]", Status.RUNNING: "[*]", Status.INVALID: "[ ]",
-    "sequence": "->", "condition": "?", "leaf": "-",
+    "sequence": "->", "condition": "?", "leaf": "-", "other": "+",
 }  # fmt: skip
 UNICODE = {
     Status.SUCCESS: "✓", Status.FAILURE: "✗", Status.RUNNING: "●", Status.INVALID: "○",
-    "sequence": "→", "condition": "?", "leaf": "·",
+    "sequence": "→", "condition": "?", "leaf": "·", "other": "+",
 }  # fmt: skip
 _CHOICE = "names in the house: candidates between |, several phrases between ;, 'all of' or '2 of' before them"
 PORTS = {
@@ -38,6 +38,7 @@ PORTS = {
     "message": "what is said",
 }
 """Of the action `PlannedTask`, with their meanings; a task has those of its arguments that it has."""
+_MERMAID = {"sequence": ("[", "]"), "condition": ("{", "}"), "leaf": ("([", "])"), "other": ("{{", "}}")}
 _COLOURS = {Status.SUCCESS: "#c8e6c9", Status.FAILURE: "#ffcdd2", Status.RUNNING: "#bbdefb", Status.INVALID: "#ffffff"}
 
 
@@ -51,8 +52,8 @@ def to_dot(root: Behaviour) -> str:
     lines = ["digraph tree {", '  node [fontname="sans-serif", style=filled];', "  ordering=out;"]
     numbers = {id(node): number for number, (node, _) in enumerate(_walk(root))}
     for node, _ in _walk(root):
-        shape = {"sequence": "box", "condition": "diamond", "leaf": "ellipse"}[_family(node)]
-        label = escaped(node.name).replace("\\", "\\\\").replace('"', '\\"')
+        shape = {"sequence": "box", "condition": "diamond", "leaf": "ellipse", "other": "hexagon"}[_family(node)]
+        label = _label(node).replace("\\", "\\\\").replace('"', '\\"')
         lines.append(f'  n{numbers[id(node)]} [label="{label}", shape={shape}, fillcolor="{_COLOURS[node.status]}"];')
     for node, _ in _walk(root):
         for child, role in _children(node):
@@ -66,8 +67,8 @@ def to_mermaid(root: Behaviour) -> str:
     lines = ["flowchart TD"]
     numbers = {id(node): number for number, (node, _) in enumerate(_walk(root))}
     for node, _ in _walk(root):
-        left, right = {"sequence": "[]", "condition": "{}", "leaf": ("([", "])")}[_family(node)]
-        label = escaped(node.name).replace("#", "#35;").replace('"', "#quot;")
+        left, right = _MERMAID[_family(node)]
+        label = _label(node).replace("#", "#35;").replace('"', "#quot;")
         lines.append(f'  n{numbers[id(node)]}{left}"{label}"{right}')
     for node, _ in _walk(root):
         for child, role in _children(node):
@@ -87,8 +88,9 @@ def to_behaviortree_cpp(root: Behaviour) -> str:
 
     BehaviorTree.CPP's IfThenElse fails where the condition fails and the third child is missing; ours succeeds. So a
     missing branch is written out as AlwaysSuccess. What has no counterpart there: a condition that cannot be decided,
-    which fails the whole here and runs the third child there. Raises `InputError` for a tree with other composites or
-    decorators than IfThenElse and sequences.
+    which fails the whole here and runs the third child there. Raises `InputError` for a tree with nodes of other kinds
+    than an instruction is compiled to: IfThenElse, sequences with memory (BehaviorTree.CPP's `Sequence`, which goes on
+    with the child that is running) and leaves with a task.
     """
     document = ElementTree.Element("root", BTCPP_format="4", main_tree_to_execute="Instruction")
     tree = ElementTree.SubElement(document, "BehaviorTree", ID="Instruction")
@@ -161,7 +163,15 @@ def _event(before: Status, now: Status) -> str:
 def _family(node: Behaviour) -> str:
     if isinstance(node, IfThenElse):
         return "condition"
-    return "sequence" if node.children else "leaf"
+    if type(node) is InOrder and node.memory:
+        return "sequence"
+    return "other" if node.children else "leaf"
+
+
+def _label(node: Behaviour) -> str:
+    """The name; of a node that no instruction is compiled to, which needs telling what it is, with its type."""
+    name = escaped(node.name)
+    return f"{type(node).__name__}: {name}" if _family(node) == "other" else name
 
 
 def _children(node: Behaviour) -> Iterator[tuple[Behaviour, str]]:
@@ -188,7 +198,7 @@ def _walk(node: Behaviour, role: str = "") -> Iterator[tuple[Behaviour, str]]:
 def _lines(node: Behaviour, role: str, depth: int, signs: dict[Any, str], show_status: bool) -> Iterator[str]:
     parts = ["  " * depth + signs[_family(node)]]
     parts += [f"{role}:"] if role else []
-    parts.append(escaped(node.name))
+    parts.append(_label(node))
     if show_status:
         parts.append(signs[node.status])
         parts += [f"({escaped(node.feedback_message)})"] if node.feedback_message and not node.children else []
@@ -224,23 +234,26 @@ def _append_xml(parent: ElementTree.Element, node: Behaviour) -> None:
                 ElementTree.SubElement(element, "AlwaysSuccess", name="nothing was asked for")
             else:
                 _append_xml(element, branch)
-    elif isinstance(node, InOrder):
+    elif type(node) is InOrder and node.memory:
         element = ElementTree.SubElement(parent, "Sequence", name=_printable(node.name))
         for child in node.children:
             _append_xml(element, child)
         if not node.children:
             ElementTree.SubElement(element, "AlwaysSuccess", name="nothing was asked for")
-    elif node.children:
-        raise InputError(f"{node.name!r} is a {type(node).__name__}, for which the XML has no node")
-    else:
-        attributes = {"ID": "PlannedTask", "name": _printable(node.name)}
-        if task := _task_of(node):
-            is_condition = getattr(node, "is_condition", False)
-            attributes |= {"task": str(task.number), "type": task.type, "condition": str(is_condition).lower()}
-            for name, said in task.arguments().items():
-                text = said if isinstance(said, str) else ";".join(referent.choice for referent in said)
-                attributes[name] = _printable(text)
+    elif (task := _task_of(node)) and not node.children:
+        is_condition = getattr(node, "is_condition", False)
+        attributes = {"ID": "PlannedTask", "name": _printable(node.name), "task": str(task.number), "type": task.type}
+        attributes["condition"] = str(is_condition).lower()
+        for name, said in task.arguments().items():
+            text = said if isinstance(said, str) else ";".join(referent.choice for referent in said)
+            attributes[name] = _printable(text)
         ElementTree.SubElement(parent, "Action", attributes)
+    else:
+        memory = " without memory" if isinstance(node, InOrder) and not node.memory else ""
+        raise InputError(
+            f"{node.name!r} is a {type(node).__name__}{memory}, for which the XML has no node; expected what an "
+            "instruction is compiled to: IfThenElse, Sequence with memory, PlannedTask"
+        )
 
 
 def _printable(text: str) -> str:

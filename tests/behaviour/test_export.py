@@ -159,7 +159,31 @@ def test_trace_tells_what_was_stopped_from_outside_between_two_ticks():
     ]  # fmt: skip
 
 
-def test_xml_has_no_node_for_other_composites():
-    selector = py_trees.composites.Selector("either", memory=False, children=[compiled().root])
-    with pytest.raises(InputError, match="Selector"):
-        to_behaviortree_cpp(selector)
+class Backwards(py_trees.composites.Sequence):
+    """A sequence of one's own, which may do anything with its children."""
+
+
+OTHERS = {
+    "Selector": lambda root: py_trees.composites.Selector("odd", memory=True, children=[root]),
+    "Sequence without memory": lambda root: py_trees.composites.Sequence("odd", memory=False, children=[root]),
+    "Backwards": lambda root: Backwards("odd", memory=True, children=[root]),
+    "Inverter": lambda root: py_trees.decorators.Inverter("odd", root),
+    "Failure": lambda root: py_trees.composites.Sequence(
+        "all", memory=True, children=[root, py_trees.behaviours.Failure("odd")]
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", OTHERS)
+def test_xml_has_no_node_for_what_no_instruction_is_compiled_to(kind):
+    with pytest.raises(InputError, match=rf"'odd' is a {kind}, for which the XML has no node; expected"):
+        to_behaviortree_cpp(OTHERS[kind](compiled().root))
+
+
+@pytest.mark.parametrize("kind", ["Selector", "Sequence without memory", "Backwards", "Inverter"])
+def test_what_is_no_sequence_is_not_drawn_as_one(kind):
+    root = OTHERS[kind](compiled([1]).root)
+    label = f"{kind.split()[0]}: odd"
+    assert to_text(root, is_ascii=True).splitlines()[:2] == [f"+ {label}", "  -> what was said"]
+    assert f'n0 [label="{label}", shape=hexagon' in to_dot(root)
+    assert f'  n0{{{{"{label}"}}}}' in to_mermaid(root)
