@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
+from weakref import WeakSet
 
 import pygame
 
@@ -16,36 +17,53 @@ UNSEEN = ("offscreen", "dummy")
 """What SDL falls back to without a word where it finds no screen."""
 
 
+_open: WeakSet[Window] = WeakSet()
+
+
 class Window:
     """Shows pictures of one size (pixels), at most `FRAMES_PER_SECOND` a second; closing it hides it for good.
 
-    Raises `InputError` where none can be opened.
+    There may be several at once, each of its own. Raises `InputError` where none can be opened.
     """
 
     def __init__(self, size: tuple[int, int]) -> None:
         try:
             pygame.display.init()
-            self._screen: pygame.Surface | None = pygame.display.set_mode(size)
+            self._window: pygame.Window | None = pygame.Window(TITLE, size)
         except pygame.error as error:
             raise _no_window(str(error)) from None
-        pygame.display.set_caption(TITLE)
         self._clock = pygame.time.Clock()
+        _open.add(self)
 
     def show(self, picture: pygame.Surface) -> None:
         """Puts a picture on the screen; does nothing after the user has closed the window."""
-        if self._screen is None:
+        _close_those_left()
+        if self._window is None:
             return
-        if any(event.type == pygame.QUIT for event in pygame.event.get()):
-            self.close()
-            return
-        self._screen.blit(picture, (0, 0))
-        pygame.display.flip()
+        self._window.get_surface().blit(picture, (0, 0))
+        self._window.flip()
         self._clock.tick(FRAMES_PER_SECOND)
 
     def close(self) -> None:
-        if self._screen is not None:
+        if self._window is None:
+            return
+        self._window.destroy()
+        self._window = None
+        _open.discard(self)
+        if not _open and pygame.display.get_surface() is None:  # else it is somebody's yet
             pygame.display.quit()
-            self._screen = None
+
+
+def _close_those_left() -> None:
+    """Closes the windows that the user has closed; whoever asks is told of all of them."""
+    if not _open:
+        return
+    for event in pygame.event.get((pygame.QUIT, pygame.WINDOWCLOSE), pump=True):
+        for window in tuple(_open):
+            if event.type == pygame.QUIT or event.window is window._window:
+                window.close()
+    if _open:
+        pygame.event.clear()
 
 
 def check_screen() -> None:

@@ -9,6 +9,7 @@ import time
 from typing import get_args
 
 import numpy as np
+import pygame
 import pytest
 
 from decomplex_bt.domain.kinds import Shape
@@ -163,6 +164,25 @@ def test_window_works_without_a_screen(geometry: Geometry, scene: Scene, monkeyp
     assert camera.show(scene, "human") is None
     camera.close()
     camera.close()
+
+
+def test_each_window_is_its_own(geometry: Geometry, scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    cameras = [Camera(geometry, size=size) for size in ((200, 180), (300, 280), (400, 380))]
+    for camera in cameras:
+        camera.show(scene, "human")
+    first, second, third = (camera._window for camera in cameras)
+    cameras[0].close()
+    pygame.event.post(pygame.Event(pygame.WINDOWCLOSE, window=second._window))
+    for camera in cameras[1:] * 2:
+        camera.show(scene, "human")
+    assert [window._window is None for window in (first, second, third)] == [True, True, False]
+    assert third._window.get_surface().get_size() == (400, 380)
+    assert np.array_equal(
+        pygame.surfarray.array3d(third._window.get_surface()).swapaxes(0, 1), cameras[2].renderer.frame(scene)
+    )
+    cameras[2].close()
+    assert not pygame.display.get_init()
 
 
 def test_window_without_a_driver_is_a_clear_error(geometry: Geometry, monkeypatch: pytest.MonkeyPatch) -> None:
