@@ -12,7 +12,7 @@ import numpy as np
 from decomplex_bt.behaviour.embodiment import Skill
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.floorplan import Cells, floorplan_of
-from decomplex_bt.envs.interface import COLUMNS, ROBOT_FIELDS, Interaction, Result
+from decomplex_bt.envs.interface import ROBOT_FIELDS, Interaction, Result
 from decomplex_bt.envs.navigation import DEFAULT_LIMITS, Driver, Limits
 from decomplex_bt.envs.senses import Senses
 from decomplex_bt.errors import InputError, is_whole
@@ -23,7 +23,6 @@ Action = dict[str, Any]
 _NO_INTERACTION = int(Interaction.NONE)
 _RESULT_TEXTS = tuple("" if result is Result.NONE else result.name.lower().replace("_", " ") for result in Result)
 """What `Percept.result` says of each result."""
-_PLACE = COLUMNS.index("place")
 _SENSED = ("robot", "held", "entities", "result", "seconds")
 """The keys of an observation that the body goes by."""
 
@@ -73,7 +72,7 @@ class HouseholdEmbodiment:
 
     def reset(self, observation: Mapping[str, Any]) -> None:
         """Begins an episode. Raises `InputError` for an observation that is not of `HouseholdEnv`."""
-        _check(observation, len(self.senses.names))
+        _check(observation, self.senses)
         self.senses.clear()
         self._last = self.ended = None
         self.is_out_of_time = False
@@ -119,7 +118,7 @@ class HouseholdEmbodiment:
         try:
             self.senses.take(observation)
         except (KeyError, IndexError, TypeError, ValueError, AttributeError):
-            _check(observation, len(self.senses.names))  # only now, for it would be a part of every tick
+            _check(observation, self.senses)  # only now, for it would be a part of every tick
             raise
         self._last = observation
 
@@ -143,8 +142,8 @@ class HouseholdEmbodiment:
         return Driver(self.floorplan, goal, self.config.limits, second_best=second_best)
 
 
-def _check(observation: Any, rows: int) -> None:
-    """Raises `InputError` for what is not one observation of `HouseholdEnv`, in a house of so many entities."""
+def _check(observation: Any, senses: Senses) -> None:
+    """Raises `InputError` for what is not one observation of `HouseholdEnv`, in the house of these senses."""
     if not isinstance(observation, Mapping):
         raise InputError(
             f"the robot goes by the observations of Household-v0, by name, and was given a "
@@ -159,8 +158,8 @@ def _check(observation: Any, rows: int) -> None:
         )
     fitting = {
         "robot": _is_array(observation["robot"], len(ROBOT_FIELDS)),
-        "held": _is_array(observation["held"]) and _are_rows(observation["held"], rows),
-        "entities": _is_table(observation["entities"], rows),
+        "held": _is_array(observation["held"]) and _are_rows(observation["held"], len(senses.names)),
+        "entities": senses.is_table(observation["entities"]),
         "result": is_whole(observation["result"]) and 0 <= observation["result"] < len(Result),
         "seconds": _is_array(observation["seconds"], 1),
     }
@@ -177,13 +176,6 @@ def _is_array(value: Any, size: int | None = None) -> bool:
     """Whether it is a list of finite numbers as numpy has it, of this size or at least one."""
     is_list = isinstance(value, np.ndarray) and value.ndim == 1 and value.dtype.kind in "iuf"
     return is_list and (value.size == size or (size is None and value.size > 0)) and bool(np.isfinite(value).all())
-
-
-def _is_table(value: Any, rows: int) -> bool:
-    """Whether it is an entity table of at least so many rows."""
-    if not isinstance(value, np.ndarray) or value.shape[0] < rows or value.shape[1] != len(COLUMNS):
-        return False
-    return value.dtype.kind == "f" and bool(np.isfinite(value).all()) and _are_rows(value[:, _PLACE], len(value))
 
 
 def _are_rows(values: Any, rows: int) -> bool:

@@ -71,6 +71,7 @@ class Senses:
         self._floor_rows = frozenset(self.row[house.floor_of(room)] for room in house.rooms)
         self._people_rows = [self.row[name] for name in house.people]
         self._radius = {name: house.kind(name, kinds).radius for name in house.things}
+        self._least, self._most = _bounds(len(self.names), kinds)
         self.clear()
 
     def clear(self) -> None:
@@ -81,7 +82,8 @@ class Senses:
         self._rect = (0.0, 0.0, 0.0, 0.0)
         self.held: str | None = None
         self.tray: tuple[str | None, ...] = ()
-        self._carried = b""
+        self._rows = b""
+        self._carried: tuple[str | None, ...] = ()
         self.result = Result.NONE
         self.seconds = 0.0
         self.places: Places = MappingProxyType({})
@@ -111,19 +113,44 @@ class Senses:
         self._told: dict[int, tuple[list[float], str | None, dict[tuple[str, str], str]]] = {}
 
     def take(self, observation: Mapping[str, Any]) -> None:
-        """Takes one observation in. Call it once per observation, in order."""
+        """Takes one observation in. Call it once per observation, in order.
+
+        Raises one of Python's errors (`ValueError`, `TypeError`, ...) for what is none of this house, before anything
+        of it is taken in.
+        """
         x, y, heading, speed, turn_rate = observation["robot"].tolist()
         carried, result, (seconds,) = observation["held"], observation["result"], observation["seconds"].tolist()
+        rows, table = carried.tobytes(), observation["entities"][: len(self.names)]
+        data = table.tobytes()
+        held, *tray = self._carried if rows == self._rows else self._named(carried)
+        is_fit = math.isfinite(x + y + heading + speed + turn_rate + seconds) and 0 <= result < len(_RESULTS)
+        if not is_fit or (data != self._data and not self.is_table(table)):
+            raise ValueError("no observation of this house")
         self.pose = Pose(x, y, heading, speed, turn_rate)
         self.room = self._room_at(x, y)
-        if (data := carried.tobytes()) != self._carried:
-            self._carried = data
-            self.held, *tray = (self.names[row] if row >= 0 else None for row in carried.tolist())
-            self.tray = tuple(tray)
+        self._rows, self._carried = rows, (held, *tray)
+        self.held, self.tray = held, tuple(tray)
         self.result = _RESULTS[result]
         self.seconds = seconds
-        self._take_table(observation["entities"][: len(self.names)])
+        if data != self._data:  # between two looks the table stays as it is
+            self._data = data
+            self._take_table(table)
         self._take_near()
+
+    def is_table(self, table: Any) -> bool:
+        """Whether it is an entity table of this house; further rows of it stand for nothing."""
+        is_like = isinstance(table, np.ndarray) and table.ndim == 2 and table.dtype.kind == "f"
+        if not is_like or table.shape[0] < len(self.names) or table.shape[1] != len(COLUMNS):
+            return False
+        own = table[: len(self.names)]
+        return bool(((own >= self._least) & (own <= self._most)).all())  # and so no NaN
+
+    def _named(self, carried: NDArray) -> list[str | None]:
+        """Names of the rows that are carried. Raises `ValueError`."""
+        rows = carried.tolist()
+        if not rows or not all(-1 <= row < len(self.names) for row in rows):
+            raise ValueError("no rows of this house")
+        return [self.names[row] if row >= 0 else None for row in rows]
 
     def _room_at(self, x: float, y: float) -> str:
         """The room a point lies in, asked of the last one first; outside the house the last one."""
@@ -193,10 +220,6 @@ class Senses:
     # -- decoding -----------------------------------------------------------------------------------------------------
 
     def _take_table(self, table: NDArray) -> None:
-        data = table.tobytes()
-        if data == self._data:  # between two looks the table stays as it is
-            return
-        self._data = data
         self._until = -math.inf
         self._seen_at[self._visible] = self.seconds
         self._visible = visible = table[:, _VISIBLE] > 0.5
@@ -318,6 +341,16 @@ class Senses:
         if self.room:
             near.append(self.house.floor_of(self.room))
         self._near_places, self._near_from = near, (point, self.room, margin)
+
+
+def _bounds(rows: int, kinds: Kinds) -> tuple[NDArray, NDArray]:
+    """The least and the most that each column of an entity table of so many rows holds."""
+    most = np.full(len(COLUMNS), np.finfo(np.float32).max, dtype=np.float32)
+    least = -most
+    least[[_VISIBLE, _INSPECTED]], most[[_VISIBLE, _INSPECTED]] = 0, 1
+    least[_REPORTED] = -1
+    most[_REPORTED] = rows - 1, *(1 if pair in kinds.state_pairs else -1 for pair in STATE_PAIRS)
+    return least, most
 
 
 def _kept(old: Mapping, new: dict) -> Mapping:

@@ -44,9 +44,11 @@ class Session:
     _states: tuple[tuple[str, str], ...] = ()
 
     def begin_tick(self, observation: Any) -> None:
-        """Takes an observation in: the belief is fed, the last action forgotten."""
+        """Takes an observation in: the belief is fed, the last action forgotten. One that the body refuses changes
+        nothing."""
+        percept = self.embodiment.perceive(observation)
         self.observation, self.action = observation, None
-        self.belief.update(self.embodiment.perceive(observation))
+        self.belief.update(percept)
 
     def fingerprint(self, steps: tuple[GroundAction, ...]) -> Fingerprint:
         """What is believed of everything that these steps are about; equal fingerprints, same prospects."""

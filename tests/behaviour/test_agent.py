@@ -245,21 +245,46 @@ def test_what_is_no_observation_is_refused_in_words():
         decomplex_bt.TreeAgent(env).reset(observation, {})
 
 
-@pytest.mark.parametrize(
-    ("part", "changed"),
-    [
-        ("entities", lambda table: table[:3]),
-        ("entities", lambda table: table[:, :4]),
-        ("entities", lambda table: table.tolist()),
-        ("entities", lambda table: table + 500),
-        ("result", lambda result: 77),
-        ("result", lambda result: "ok"),
-        ("seconds", lambda seconds: None),
-        ("robot", lambda robot: robot[:2]),
-        ("held", lambda held: held + 500),
-        ("held", lambda held: held[:0]),
-    ],
-)
+MALFORMED = [
+    ("entities", lambda table: table[:3]),
+    ("entities", lambda table: table[:, :4]),
+    ("entities", lambda table: table.tolist()),
+    ("entities", lambda table: table + 500),
+    ("entities", lambda table: table * np.nan),
+    ("entities", lambda table: np.where(np.arange(table.shape[1]) == table.shape[1] - 1, np.float32(3), table)),
+    ("result", lambda result: 77),
+    ("result", lambda result: -2),
+    ("result", lambda result: "ok"),
+    ("seconds", lambda seconds: None),
+    ("seconds", lambda seconds: seconds * np.nan),
+    ("robot", lambda robot: robot[:2]),
+    ("robot", lambda robot: robot * np.nan),
+    ("held", lambda held: held + 500),
+    ("held", lambda held: held - 5),
+    ("held", lambda held: held[:0]),
+]
+
+
+@pytest.mark.parametrize(("part", "changed"), MALFORMED)
+def test_an_agent_goes_on_after_a_refused_observation_as_if_it_had_not_been(part, changed):
+    shown = []
+    for is_disturbed in (False, True):
+        env = make_env()
+        observation, info = env.reset(seed=1, options={"instruction": EXAMPLES["heat"].instruction, "noise": False})
+        agent = decomplex_bt.TreeAgent(env, flow=EXAMPLES["heat"])
+        agent.reset(observation, info)
+        actions = []
+        for _ in range(12):
+            if is_disturbed:
+                with pytest.raises(InputError, match=rf"the observation's '{part}'"):
+                    agent.act({**observation, part: changed(observation[part])})
+            actions.append(agent.act(observation))
+            observation, *_ = env.step(actions[-1])
+        shown.append((repr(actions), agent.tree.count, agent.plans, agent.session.belief.tick))
+    assert shown[0] == shown[1]
+
+
+@pytest.mark.parametrize(("part", "changed"), MALFORMED)
 def test_a_part_of_an_observation_that_is_none_is_named(part, changed):
     env, example = make_env(), EXAMPLES["heat"]
     agent = decomplex_bt.TreeAgent(env, flow=example)
