@@ -15,6 +15,7 @@ import gymnasium as gym
 import numpy as np
 
 from decomplex_bt.envs.config import HouseholdConfig, read_config
+from decomplex_bt.envs.values import plain
 from decomplex_bt.errors import InputError, among
 
 if TYPE_CHECKING:
@@ -211,7 +212,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None, instruction: Any = None
     ) -> tuple[Observation, dict[str, Any]]:
-        """Begins an episode; `instruction` is the option of that name, None one that is not given.
+        """Begins an episode; `instruction` is the option of that name, None one that is not given. A seed may be one of
+        numpy's whole numbers.
 
         Raises `InputError` for options or an instruction that cannot be used, `DataFileError` where the domain's files
         are broken; instruction, house, episode and random numbers are then those from before.
@@ -495,7 +497,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         check_keys(options)
         options = with_instruction(options, instruction)
         request, asked = asked_by(options, self._request)
-        super().reset(seed=seed)
+        super().reset(seed=plain(seed))
         self._choose_house(options, asked)
         checked = read_options(options, self.setting.geometry)
         if request is not self._request:
@@ -602,9 +604,7 @@ def _lasting(path: Any) -> Any:
 
 def _plain(argument: Any) -> Any:
     """An argument as a spec keeps it: JSON makes mappings of configurations and instructions, and cannot keep these."""
-    if isinstance(argument, Path):
-        return str(argument.resolve())
-    return argument.item() if isinstance(argument, np.generic) else argument
+    return str(argument.resolve()) if isinstance(argument, Path) else plain(argument)
 
 
 def _refuse(arguments: Mapping[str, Any]) -> None:

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any
 from zlib import crc32
 
 import numpy as np
-from numpy.random import PCG64, Generator
+from numpy.random import MT19937, PCG64, PCG64DXSM, SFC64, Generator, Philox
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from decomplex_bt.domain.document import Record
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.options import Options, Request, read_request
+from decomplex_bt.envs.values import plain
 from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.world import World
 
 FORMAT = 3
+BIT_GENERATORS = {kind.__name__: kind for kind in (MT19937, PCG64, PCG64DXSM, Philox, SFC64)}
+"""Numpy's: Gymnasium seeds a PCG64, and an environment's `np_random` may be set to a generator of any of them."""
 CHECK_EVERY = 50
 """Steps between two checksums; the start and the last step have one, too."""
 
@@ -58,7 +61,7 @@ class Recording:
         """What was asked and done, as plain values, which JSON keeps."""
         gold = self.request.gold
         return {
-            "generator": dict(self.generator),
+            "generator": plain(self.generator),
             "instruction": self.request.text,
             "gold": None if gold is None else asdict(gold),
             "options": self.options.given(),
@@ -133,11 +136,12 @@ class Recorded(Record):
 
     def begin_random(self) -> Generator:
         """The environment's generator as it was before the episode. Raises `InputError`."""
-        numbers: Any = PCG64()
         try:
+            numbers: Any = BIT_GENERATORS[self.generator["bit_generator"]]()
             numbers.state = self.generator
         except (KeyError, TypeError, ValueError, OverflowError) as error:
-            raise InputError(f"no recording: generator: {error!r}; expected the state of a PCG64") from None
+            kinds = ", ".join(BIT_GENERATORS)
+            raise InputError(f"no recording: generator: {error!r}; expected the state of one of {kinds}") from None
         return Generator(numbers)
 
     def check_circumstances(self, domain: Domain, config: HouseholdConfig) -> None:

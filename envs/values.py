@@ -78,6 +78,15 @@ def several(name: str, value: Any, expected: str) -> tuple[Any, ...]:
     raise InputError(f"{name} is {value!r}; expected {expected}")
 
 
+def plain(value: Any) -> Any:
+    """The same, with Python's own numbers and lists for those of numpy: what JSON keeps."""
+    if isinstance(value, Mapping):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    return value.tolist() if isinstance(value, np.generic | np.ndarray) else value
+
+
 def _is_number(value: Any, kind: type) -> bool:
     return isinstance(value, kind) and not isinstance(value, bool)
 

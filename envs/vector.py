@@ -11,6 +11,7 @@ import numpy as np
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, SIZES
+from decomplex_bt.envs.values import plain
 from decomplex_bt.errors import InputError
 
 _AS_IT_WAS = object()
@@ -36,7 +37,8 @@ class HouseholdVectorEnv(SyncVectorEnv):
 
         if options is not None and not isinstance(options, Mapping):
             raise InputError(f"options is {options!r}; expected a mapping, as in {{'instructions': [...]}}")
-        if isinstance(seed, list | tuple | np.ndarray) and len(seed) != self.num_envs:
+        seed = plain(seed)
+        if not (seed is None or isinstance(seed, int) or (isinstance(seed, list) and len(seed) == self.num_envs)):
             raise InputError(f"seed is {seed!r}; expected a list of {self.num_envs}, one for each, or one for all")
         options = dict(options or {})
         instructions = self._take_instructions(options)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import json
 import pickle
 import warnings
 
@@ -133,6 +135,44 @@ def test_a_gold_reading_is_of_the_instruction_that_each_of_a_vector_has():
     envs.close()
 
 
+@pytest.mark.parametrize("seed", [np.int64(3), [np.int64(3), np.uint8(4)], np.array([3, 4]), (3, 4)], ids=repr)
+def test_seeds_may_be_whole_numbers_of_numpys(seed):
+    envs = gym.make_vec(HOUSEHOLD, num_envs=2, instruction=GO)
+    expected, _ = envs.reset(seed=[3, 4])
+    observation, _ = envs.reset(seed=seed)
+    assert data_equivalence(observation, expected, exact=True)
+    json.dumps([env.unwrapped.state_dict() for env in envs.envs])
+    envs.close()
+
+
+def test_a_seed_of_one_environment_may_be_so_too():
+    env = gym.make(HOUSEHOLD, instruction=GO)
+    expected, _ = env.reset(seed=3)
+    assert data_equivalence(env.reset(seed=np.int64(3))[0], expected, exact=True)
+
+
+@pytest.mark.parametrize("seed", [3.5, "x", [1], [1, 2, 3]])
+def test_what_are_no_seeds_of_a_vector_is_said_in_words(seed):
+    envs = gym.make_vec(HOUSEHOLD, num_envs=2, instruction=GO)
+    with pytest.raises(InputError, match="expected a list of 2, one for each, or one for all"):
+        envs.reset(seed=seed)
+    envs.close()
+
+
+@pytest.mark.parametrize("kind", ["MT19937", "PCG64DXSM", "Philox", "SFC64"])
+def test_an_episode_is_recorded_whatever_its_random_numbers_come_from(kind):
+    env, other = (gym.make(HOUSEHOLD, instruction=TELL).unwrapped for _ in range(2))
+    env.np_random = np.random.Generator(getattr(np.random, kind)(1))
+    env.reset()
+    env.step(env.action_space.sample() | {"interact": 0})
+    other.load_state_dict(json.loads(json.dumps(env.state_dict())))
+    twins = [other, pickle.loads(pickle.dumps(env)), copy.copy(env), copy.deepcopy(env)]
+    begun = env.observe()
+    assert all(data_equivalence(twin.observe(), begun, exact=True) for twin in twins)
+    following, _ = env.reset()
+    assert all(data_equivalence(twin.reset()[0], following, exact=True) for twin in twins)
+
+
 def test_flat_vectors_and_their_actions():
     envs = gym.make_vec(HOUSEHOLD_FLAT, num_envs=3, instruction=GO, vectorization_mode="sync")
     observation, _ = envs.reset(seed=0)
@@ -159,6 +199,7 @@ def test_a_spec_makes_the_environment_again(identity):
         {"instruction": Example("1", ASK)},
         {"domain": load_domain("household").folder},
         {"size": "small", "house_seed": np.int64(3)},
+        {"config": {"max_seconds": np.float32(60), "world": {"tray_slots": np.int64(2)}}},
     ],
     ids=lambda arguments: ", ".join(arguments),
 )
