@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -143,7 +144,8 @@ class Interpreter:
 
         waiting = iter(list(usable))
         chunks = iter(lambda: tuple(islice(waiting, CHUNK)), ())
-        read = delayed(partial(_interpret_chunk, self.domain.folder, self._models, self._has_encoder))
+        domain = pickle.dumps(self.domain)  # as it is here, and once: a process tells by it what it has loaded
+        read = delayed(partial(_interpret_chunk, domain, self._models, self._has_encoder))
         for instructions in results(map(read, chunks), jobs):
             yield from instructions
 
@@ -321,12 +323,12 @@ def _cached(models: Path, domain: Domain, encoder: bool) -> Interpreter:
 
 
 @lru_cache(maxsize=2)
-def _loaded_here(domain: Path, models: Path, encoder: bool) -> Interpreter:
-    """As `Interpreter.load`, kept for a process that reads chunks of a batch."""
-    return Interpreter.load(domain, models=models, encoder=encoder)
+def _loaded_here(domain: bytes, models: Path, encoder: bool) -> Interpreter:
+    """As `Interpreter.load` of a pickled domain, kept for a process that reads chunks of a batch."""
+    return Interpreter.load(pickle.loads(domain), models=models, encoder=encoder)
 
 
-def _interpret_chunk(domain: Path, models: Path, encoder: bool, texts: tuple[str, ...]) -> list[Instruction]:
+def _interpret_chunk(domain: bytes, models: Path, encoder: bool, texts: tuple[str, ...]) -> list[Instruction]:
     return list(_loaded_here(domain, models, encoder).interpret_batch(texts))
 
 

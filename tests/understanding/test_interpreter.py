@@ -101,6 +101,18 @@ def test_a_batch_in_several_processes_gives_the_same_in_order(interpreter, monke
     assert list(interpreter.interpret_batch(texts, jobs=2)) == list(interpreter.interpret_batch(texts))
 
 
+def test_several_processes_read_by_the_domain_that_the_interpreter_has():
+    shipped = load_domain("household")
+    placing = shipped.ontology.task_types["placing"]
+    asking = placing.model_copy(update={"questions": {**placing.questions, "goal": "And where to?"}})
+    types = {**shipped.ontology.task_types, "placing": asking}
+    domain = replace(shipped, ontology=shipped.ontology.model_copy(update={"task_types": types}))
+    interpreter = Interpreter.load(domain, encoder=False)
+    (found,) = interpreter.interpret_batch(["Put the cup."], jobs=2)
+    assert found.missing[0].question == "And where to?"
+    assert found == interpreter.interpret("Put the cup.")
+
+
 def test_an_unusable_text_of_a_batch_is_bad_input_in_several_processes_too(interpreter):
     with pytest.raises(InputError, match="empty"):
         list(interpreter.interpret_batch(["Close the door.", " "], jobs=2))
