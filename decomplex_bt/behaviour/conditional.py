@@ -91,6 +91,9 @@ class IfThenElse(Composite):
             setattr(self, role, None)
         return index
 
+    def remove_all_children(self) -> None:
+        self.remove_child(self.condition)  # which is refused
+
     def terminate(self, new_status: Status) -> None:
         if new_status is Status.INVALID:
             self.truth = None

@@ -191,6 +191,7 @@ def test_children_without_a_role_are_refused():
         lambda: node.insert_child(Recorder("more", S), 0),
         lambda: node.prepend_child(Recorder("more", S)),
         lambda: node.remove_child(node.condition),
+        node.remove_all_children,
     ):
         with pytest.raises(TypeError):
             change()
