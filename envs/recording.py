@@ -139,7 +139,7 @@ class Recorded(Record):
         try:
             numbers: Any = BIT_GENERATORS[self.generator["bit_generator"]]()
             numbers.state = self.generator
-        except (KeyError, TypeError, ValueError, OverflowError) as error:
+        except (LookupError, TypeError, ValueError, OverflowError) as error:
             kinds = ", ".join(BIT_GENERATORS)
             raise InputError(f"no recording: generator: {error!r}; expected the state of one of {kinds}") from None
         return Generator(numbers)

@@ -184,6 +184,7 @@ def test_a_recording_is_not_replayed_elsewhere(arguments, says):
         ({"format": None}, "no recording"),
         ({"generator": None}, "generator: Field required"),
         ({"generator": {"state": 1}}, "generator: .*PCG64"),
+        ({"generator": {"bit_generator": "MT19937", "state": {"key": [1], "pos": 0}}}, "generator: .*MT19937"),
         ({"checksums": [1]}, "1 checksums; expected 3 for 60 actions"),
         ({"actions": [[0.0, 0.0, 0]] * 60}, r"actions\.0\.3: Field required"),
         ({"actions": [[0.0, 0.0, 99, 0]] * 60}, "no action"),
