@@ -366,10 +366,15 @@ def _unreached(node: Behaviour) -> Iterator[GroundTask]:
     below: list[Behaviour] = []
     if isinstance(node, IfThenElse):
         below = [child for child in (node.condition, node.branch) if child is not None]
-    elif isinstance(node, InOrder | Decorator):
+    elif isinstance(node, InOrder) or (isinstance(node, Decorator) and not _has_stopped(node)):
         below = node.children
     for child in below:
         yield from _unreached(child)
+
+
+def _has_stopped(decorator: Decorator) -> bool:
+    """Whether a decorator that was ticked has cut short what it stands around, as `Timeout` does."""
+    return decorator.status is not Status.INVALID and decorator.decorated.status is Status.INVALID
 
 
 def _not_attempted(task: GroundTask) -> Failure:

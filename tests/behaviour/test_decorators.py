@@ -60,6 +60,23 @@ def test_what_would_be_tried_again_has_failed_when_the_time_is_up():
     assert [failure.observed for failure in agent.failures] == ["the time was up"]
 
 
+def test_what_a_decorator_has_cut_short_was_attempted_and_what_it_stood_before_was_not():
+    instruction = read_markup(
+        "[Go](1:motion) [to the kitchen](1:goal), [go](2:motion) [to the study](2:goal) and "
+        "[go](3:motion) [to the bathroom](3:goal).",
+        DOMAIN.ontology,
+        flow=[1, 2, 3],
+    )
+    env, agent, observation = start(instruction)
+    root = agent.tree.root
+    first, second, _ = root.children
+    root.replace_child(first, Timeout("at once", first, 0.0))
+    root.replace_child(second, Retry("again", second, 3))
+    run(env, agent, observation)
+    assert agent.status is Status.FAILURE
+    assert [failure.task for failure in agent.not_attempted] == [2, 3]
+
+
 def test_a_task_that_failed_is_tried_again():
     env, agent, observation = start(GO, planner=Busy())
     leaf = agent.tree.root.children[0]
