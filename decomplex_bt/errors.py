@@ -135,5 +135,6 @@ class MissingArgumentError(InputError):
         self.missing = missing
         super().__init__(
             f"task {missing.task} lacks its {missing.argument}: {missing.question} "
-            "Say it in the instruction, or answer on a terminal (in Python: `decomplex_bt.settle(text, ask)`)."
+            "Say it in the instruction, or answer on a terminal (in Python: give what `decomplex_bt.settle(text, ask)` "
+            "returns to `reset` as the instruction and to `TreeAgent` as the flow)."
         )

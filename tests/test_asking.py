@@ -149,7 +149,14 @@ def test_an_agent_asks_whoever_it_was_given(text, answer, options, flow):
     assert silent.instruction.flow.to_json() == ALWAYS
 
 
-@pytest.mark.parametrize(("answer", "flow"), [("2", DEPENDS), ("1", ALWAYS), (None, ALWAYS)])
+def test_a_doubt_is_settled_by_a_choice_itself_and_by_nothing_that_is_none(text):
+    assert decomplex_bt.settle(text, lambda doubt: doubt.choices[1]).flow.to_json() == DEPENDS
+    for nonsense in ("nonsense", "the second", 3, True, 1.0):
+        with pytest.raises(InputError, match=rf"is {nonsense!r}; expected"):
+            decomplex_bt.settle(text, lambda doubt, answer=nonsense: answer)
+
+
+@pytest.mark.parametrize(("answer", "flow"), [("2", DEPENDS), (2, DEPENDS), ("1", ALWAYS), (None, ALWAYS)])
 def test_robot_and_judge_go_by_one_settled_flow(text, answer, flow):
     instruction = decomplex_bt.settle(text, lambda question: answer)
     assert instruction.flow.to_json() == flow
@@ -179,6 +186,10 @@ def test_what_is_missing_is_asked_for_before_the_judge_needs_it():
     assert asked == ["Where should I put it?"]
     assert instruction.tasks[0].value("goal") == "on the bed"
     assert decomplex_bt.settle(instruction, lambda question: pytest.fail(question.question)) == instruction
+    env = gym.make("decomplex_bt/Household-v0", disable_env_checker=True)
+    observation, _ = env.reset(seed=1, instruction=instruction)
+    with pytest.raises(MissingArgumentError, match="to `TreeAgent` as the flow"):
+        decomplex_bt.TreeAgent(env, flow=put).reset(observation, {})
     assert _carried_out(instruction, {"placement": {"pen_1": "desk"}})["is_success"]
     for nothing in (None, ""):
         with pytest.raises(MissingArgumentError):

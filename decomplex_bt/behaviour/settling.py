@@ -9,15 +9,16 @@ from pathlib import Path
 from typing import Any
 
 from decomplex_bt.domain.loader import Domain, load_domain
-from decomplex_bt.errors import InputError, quoted
-from decomplex_bt.instruction import Argument, Doubt, Instruction, Missing, check_instruction
+from decomplex_bt.errors import InputError, is_whole, quoted
+from decomplex_bt.instruction import Argument, Choice, Doubt, Instruction, Missing, check_instruction
 from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.grounding import ground
 from decomplex_bt.understanding.doubt import THRESHOLD, settled
 
-Ask = Callable[[Missing | Doubt], str | None]
-"""Answers the `question` of what is missing or in doubt; None or blank text if it has no answer. A choice of a doubt is
-named by its number, from 1, or by its words."""
+Answer = str | int | Choice | None
+Ask = Callable[[Missing | Doubt], Answer]
+"""Answers the `question` of what is missing, in words, or in doubt, with one of its `choices`, with the number of one,
+from 1, as a number or in writing, or in the words of one, whole or in part. None or blank text is no answer."""
 
 
 def settle(
@@ -29,24 +30,29 @@ def settle(
 ) -> Instruction:
     """The instruction of which nothing is left open: a text as the robot understands it, or a reading of one.
 
-    `ask` is asked which control flow is meant where that is less certain than `threshold`, from 0 (never) to 1, and for
-    each argument that is missing. Its answers are arguments without words of their own. Given to `reset` as the
-    instruction and to `TreeAgent` as the flow, robot and judge go by the same.
+    `ask` is given a `Doubt` where it is less certain than `threshold`, from 0 (never) to 1, which control flow is
+    meant, and a `Missing` for each argument that is nowhere said; both have a `question`. It answers
 
-    Raises `InputError` for text without a known task, unknown words, impossible goals, unanswered questions, answers
-    that are no text, a threshold beyond 0 and 1, and for what is no instruction or no function to ask.
+    - a `Doubt` with one of its `choices`, its number, from 1, or its `text`, or with None: then the likeliest is taken;
+    - a `Missing` with the words that were left out ("on the desk"); they become an argument without words of its own.
+
+    What comes of it is given to `reset` as the instruction and to `TreeAgent` as the flow, so that robot and judge go
+    by the same; a `TreeAgent` without a flow reads the text anew, in which what was asked for is not said.
+
+    Raises `InputError` for text without a known task, unknown words, impossible goals, what is missing and is not
+    answered (`MissingArgumentError`), answers that are no choice or, to a `Missing`, no text, a threshold beyond 0 and
+    1, and for what is no instruction or no function to ask.
     """
     check_threshold(threshold)
     check_ask(ask)
-    ask = _in_words(ask)
     known = domain if isinstance(domain, Domain) else load_domain(domain)
     reading = _read(instruction, known)
-    chosen = distributed(settled(reading, known.ontology, ask, threshold=threshold))
+    chosen = distributed(settled(reading, known.ontology, lambda doubt: _choice(ask, doubt), threshold=threshold))
     answers: dict[int, list[Argument]] = defaultdict(list)
 
     def answer(missing: Missing) -> str | None:
-        said = ask(missing)
-        if said:
+        said = _words(ask, missing)
+        if said is not None:
             answers[missing.task].append(Argument(missing.argument, said))
         return said
 
@@ -74,16 +80,20 @@ def check_threshold(threshold: float) -> None:
         raise InputError(f"threshold is {threshold!r}; expected a number from 0 (never ask) to 1")
 
 
-def _in_words(ask: Ask) -> Ask:
-    """The same, its answers checked to be text and blank ones taken for none."""
+def _words(ask: Ask, missing: Missing) -> str | None:
+    """The answer to what is missing; None for none, as blank text is."""
+    said = ask(missing)
+    if said is not None and not isinstance(said, str):
+        raise InputError(f"the answer to {missing.question!r} is {said!r}; expected text or None")
+    return said if said is not None and said.strip() else None
 
-    def answer(asked: Missing | Doubt) -> str | None:
-        said = ask(asked)
-        if said is not None and not isinstance(said, str):
-            raise InputError(f"the answer to {asked.question!r} is {said!r}; expected text or None")
-        return said if said is not None and said.strip() else None
 
-    return answer
+def _choice(ask: Ask, doubt: Doubt) -> Answer:
+    """The answer to what is in doubt; None for none, as blank text is."""
+    said = ask(doubt)
+    if said is not None and not (isinstance(said, (str, Choice)) or is_whole(said)):
+        raise InputError(f"the answer to {doubt.question!r} is {said!r}; expected one of its choices or None")
+    return None if isinstance(said, str) and not said.strip() else said
 
 
 def understood(text: str, domain: Domain) -> Instruction:

@@ -10,6 +10,7 @@ from rapidfuzz import fuzz, process
 
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.domain.sentences import say_condition, say_task
+from decomplex_bt.errors import InputError, quoted
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Choice, Doubt, Instruction, Task
 
@@ -48,37 +49,56 @@ def doubt_of(instruction: Instruction, ontology: Ontology, *, threshold: float =
     return None
 
 
-def resolved(instruction: Instruction, doubt: Doubt, answer: str) -> Instruction | None:
-    """The instruction with the flow that an answer chooses: the number of a choice, from 1, or its words in part. None
-    for an answer that fits none of them, or several alike."""
-    answer = answer.strip().lower()
-    if answer.isdecimal():
-        chosen = doubt.choices[int(answer) - 1] if 1 <= int(answer) <= len(doubt.choices) else None
-    else:
-        sides = _sides(answer)
-        choices = [choice for choice in doubt.choices if not sides or _sides(choice.text) == sides]
-        texts = [choice.text.lower() for choice in choices]
-        found = process.extract(answer, texts, scorer=fuzz.token_set_ratio, score_cutoff=SIMILAR, limit=2)
-        is_plain = len(found) == 1 or (len(found) == 2 and found[0][1] > found[1][1])
-        chosen = choices[found[0][2]] if is_plain else None
-    if chosen is None:
-        return None
-    return replace(instruction, flow=chosen.flow, confidence=1.0, alternatives=())
+def resolved(instruction: Instruction, doubt: Doubt, answer: str | int | Choice) -> Instruction | None:
+    """The instruction with the flow that an answer chooses: one of the choices, its number, from 1, or its words, whole
+    or in part. None for an answer that fits none of them, or several alike."""
+    chosen = _chosen(doubt, answer)
+    return None if chosen is None else replace(instruction, flow=chosen.flow, confidence=1.0, alternatives=())
+
+
+def _chosen(doubt: Doubt, answer: str | int | Choice) -> Choice | None:
+    if isinstance(answer, Choice):
+        return answer if answer in doubt.choices else None
+    said = str(answer).strip().lower()
+    if said.isdecimal():
+        return doubt.choices[int(said) - 1] if 1 <= int(said) <= len(doubt.choices) else None
+    sides = _sides(said)
+    choices = [choice for choice in doubt.choices if not sides or _sides(choice.text) == sides]
+    texts = [choice.text.lower() for choice in choices]
+    if said in texts:
+        return choices[texts.index(said)]
+    found = process.extract(said, texts, scorer=fuzz.token_set_ratio, score_cutoff=SIMILAR, limit=2)
+    is_plain = len(found) == 1 or (len(found) == 2 and found[0][1] > found[1][1])
+    return choices[found[0][2]] if is_plain else None
 
 
 def settled(
     instruction: Instruction,
     ontology: Ontology,
-    ask: Callable[[Doubt], str | None],
+    ask: Callable[[Doubt], str | int | Choice | None],
     *,
     threshold: float = THRESHOLD,
 ) -> Instruction:
-    """The instruction after at most one question; as it was where there is no doubt, or no answer that fits."""
+    """The instruction after at most one question; as it was where there is no doubt, or no answer (None).
+
+    Raises `InputError` for an answer that fits no choice, or several alike.
+    """
     doubt = doubt_of(instruction, ontology, threshold=threshold)
     answer = ask(doubt) if doubt is not None else None
     if doubt is None or answer is None:
         return instruction
-    return resolved(instruction, doubt, answer) or instruction
+    chosen = resolved(instruction, doubt, answer)
+    if chosen is None:
+        choices = ", ".join(f"{n}: {quoted(choice.text)}" for n, choice in enumerate(doubt.choices, start=1))
+        raise InputError(
+            f"the answer to {doubt.question!r} is {_shown(answer)}; expected one of its choices, by number or in words "
+            f"({choices}), or None for the likeliest"
+        )
+    return chosen
+
+
+def _shown(answer: str | int | Choice) -> str:
+    return quoted(answer.text) if isinstance(answer, Choice) else repr(answer)
 
 
 def _place(flow: Flow, number: int) -> tuple[tuple[int, str], ...]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from decomplex_bt.corpus import read_markup
+from decomplex_bt.errors import InputError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Alternative
 from decomplex_bt.understanding.doubt import doubt_of, resolved, settled
@@ -38,13 +39,30 @@ def test_the_question_is_about_the_task_that_moves_in_words_to_the_user(unsure, 
 @pytest.mark.parametrize(
     ("answer", "flow"),
     [("2", 1), ("only if it is open", 1), ("If the window is open!", 1), ("unless the window is open", 2),
-     ("in any case", 0), ("7", None), ("the window", None), ("if not", None), ("²", None), ("bananas", None),
+     ("in any case", 0), ("IN ANY CASE", 0), (1, 0), (2, 1), ("7", None), (0, None), (-1, None), (4, None),
+      ("the window", None), ("if not", None), ("²", None), ("bananas", None),
      ("", None)],
 )  # fmt: skip
 def test_an_answer_chooses_a_flow_and_never_its_opposite(unsure, ontology, answer, flow):
     chosen = resolved(unsure, doubt_of(unsure, ontology, threshold=0.6), answer)
     assert (chosen.flow.to_json() if chosen else None) == (FLOWS[flow] if flow is not None else None)
     assert chosen is None or (chosen.confidence, chosen.alternatives) == (1.0, ())
+
+
+def test_a_choice_is_an_answer_and_so_are_its_very_words(unsure, ontology):
+    doubt = doubt_of(unsure, ontology, threshold=0.6)
+    for choice in doubt.choices:
+        for answer in (choice, choice.text, f" {choice.text.upper()} "):
+            assert resolved(unsure, doubt, answer).flow == choice.flow
+    assert resolved(unsure, doubt, replace(doubt.choices[0], text="never")) is None
+
+
+@pytest.mark.parametrize("answer", ["the second", "7", 0, "if not"])
+def test_an_answer_that_fits_no_choice_is_not_taken_for_the_likeliest(unsure, ontology, answer):
+    with pytest.raises(InputError) as refused:
+        settled(unsure, ontology, lambda doubt: answer, threshold=0.6)
+    assert f"is {answer!r}; expected one of its choices" in str(refused.value)
+    assert "2: 'only if your window is open'" in str(refused.value)
 
 
 def test_who_is_sure_does_not_ask(unsure, ontology):
