@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 
 from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_anything, is_of_nobody, is_of_weather
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Missing, Task
-from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import head_of
 from decomplex_bt.understanding.references.gaps import ASIDE, NAMING_FORMS, gap_of, is_let_through
@@ -140,8 +140,7 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
     for verb in forbidden(observed):
         if is_needless(document, verb):
             continue
-        marks = (i for i in range(verb + 1, len(document)) if document.tokens[i].text in _END)
-        end = min(next(marks, len(document)), verb + 5)
+        end = _clause_end(document, verb, {document.indices(task.span).start for task in tasks})
         yield f"{document.span(verb, end - 1).of(document.text)!r} is forbidden: a prohibition is not watched"
     if not tasks:
         yield NO_TASK
@@ -172,6 +171,17 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         span = document.span(time.start, time.stop - 1)
         if not any(one.start < span.end and span.start < one.end for one in said_of):
             yield f"{span.of(document.text)!r} is not heeded: times are not part of the flow"
+
+
+def _clause_end(document: Document, verb: int, carriers: Container[int]) -> int:
+    """Where the words of a verb end: at a mark, or at what joins the next order to it ("open the window *and* turn")."""
+    tokens = document.tokens
+    for i in range(verb + 1, len(tokens)):
+        behind = next((t for t in tokens[i + 1 :] if t.tag != "RB" and t.lower != "please"), None)
+        is_verb = behind is not None and (behind.i in carriers or behind.tag in ("VB", "VBP"))
+        if tokens[i].text in _END or i in carriers or (tokens[i].lower in _LINKS and is_verb):
+            return i
+    return len(tokens)
 
 
 def _repetition(document: Document, token: Token) -> str:
@@ -213,7 +223,8 @@ def _beyond(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
                 yield f"{message!r} is told without a number: what is seen is not counted"
 
 
-_END = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "but"))
+_END = MARKS | {"but"}
+_LINKS = frozenset(("and", "then"))
 
 
 def _says_state(observed: Observed, task: Task) -> bool:

@@ -31,6 +31,19 @@ def test_a_question_that_no_yes_answers_lacks_no_state(interpreter: Interpreter,
     assert not interpreter.interpret(text).missing
 
 
+@pytest.mark.parametrize(
+    ("text", "quoted"),
+    [
+        ("Don't open the window and turn on the tv.", "open the window"),
+        ("Turn on the tv and don't open the window then close the door.", "open the window"),
+        ("Never put the cup and the plate on the kitchen table, but bring me a pen.",
+         "put the cup and the plate on the kitchen table"),
+    ],
+)  # fmt: skip
+def test_a_warning_quotes_what_is_forbidden_and_no_more(interpreter: Interpreter, text: str, quoted: str) -> None:
+    assert f"{quoted!r} is forbidden: a prohibition is not watched" in interpreter.interpret(text).warnings
+
+
 def test_trying_again_is_said_to_be_no_task(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Switch the fan on, and if it doesn't work, try again.")
 
