@@ -33,6 +33,11 @@ def test_what_a_thing_has_on_it_is_part_of_its_words(interpreter: Interpreter, t
     assert _values(interpreter, text)["object"] == thing
 
 
+@pytest.mark.parametrize("verb", ["Bring", "Get", "Fetch"])
+def test_two_things_that_are_both_brought_are_no_person(interpreter: Interpreter, verb: str) -> None:
+    assert _values(interpreter, f"{verb} both my keys and my wallet.") == {"object": "both my keys and my wallet"}
+
+
 @pytest.mark.parametrize(
     ("text", "thing"),
     [

@@ -64,6 +64,7 @@ from decomplex_bt.understanding.rules.spans.extents import (
     with_purposes,
     with_whole_clauses,
     with_whole_compounds,
+    with_whole_pairs,
     with_whole_places,
     without_questions,
 )
@@ -134,7 +135,7 @@ def _with_whole_phrases(observed: Observed, tasks: Tasks, arguments: Sequence[Fo
     document = observed.document
     kept = with_turns(document, tasks, without_cases(document, tasks, list(arguments)))
     kept = with_whole_compounds(document, tasks, kept)
-    kept = with_whole_clauses(document, with_whole_places(document, kept))
+    kept = with_whole_clauses(document, with_whole_pairs(document, with_whole_places(document, kept)))
     kept = with_passages(document, tasks, without_questions(document, tasks, kept))
     kept = with_uses(document, with_marks(document, tasks, with_features(document, tasks, kept)))
     kept = with_relative_places(observed, tasks, kept)

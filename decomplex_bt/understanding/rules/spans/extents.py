@@ -139,6 +139,20 @@ def _purpose_end(document: Document, thing: FoundArgument, arguments: Sequence[F
     return stop if verb == check or is_there else 0
 
 
+def with_whole_pairs(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments with a "both" that was taken for a person as part of the two things behind it: "bring *both* my
+    keys and my wallet"; not of "give both a cup and a saucer", which may be two who get them."""
+    kept = list(arguments)
+    for word in [a for a in arguments if len(a.tokens) == 1 and document.tokens[a.tokens.start].lower == "both"]:
+        pair = next((a for a in kept if a.owner == word.owner and a.tokens.start == word.tokens.stop), None)
+        if pair is None or document.tokens[pair.tokens.start].lower in ("a", "an", "some"):
+            continue
+        if any(document.tokens[i].lower == "and" for i in pair.tokens):
+            kept[kept.index(pair)] = replace(pair, tokens=range(word.tokens.start, pair.tokens.stop))
+            kept.remove(word)
+    return kept
+
+
 def with_whole_places(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
     """The arguments with the noun of a place that is cut off behind its preposition: "in *the drawer*"."""
     starts, tokens = {a.tokens.start for a in arguments}, document.tokens
