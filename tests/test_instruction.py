@@ -30,6 +30,20 @@ DOMAIN = load_domain()
             "put the toy in the box",
         ),
         ("[I](1:recipient) [need](1:bringing) [my phone](1:object)", 1, "I need my phone"),
+        (
+            "[Let](1:informing) [me](1:recipient) know [if the tv is on](1:message)",
+            1,
+            "Let me know if the tv is on",
+        ),
+        ("[Hang](1:placing) [the towels](1:object) up", 1, "Hang the towels up"),
+        ("[Put](1:placing) away [the cup](1:object), Anna", 1, "Put away the cup"),
+        ("If [it](1:object) [starts](1:check_state) [raining](1:state)", 1, "it starts raining"),
+        ("If [Tom](1:object=the guest) [answers](1:check_state)", 1, "the guest answers"),
+        (
+            "If [it](1:object=my phone) [is](1:check_state) neither [on the desk nor on the bed](1:location)",
+            1,
+            "is my phone on the desk or on the bed",
+        ),
     ],
 )
 def test_a_task_is_told_in_proper_words(text: str, number: int, phrase: str) -> None:

@@ -318,6 +318,7 @@ def compile_instruction(instruction: Instruction, grounded: GroundInstruction, d
         task.id: say_task(
             _as_spoken(task, instruction),
             domain.ontology,
+            verb=instruction.verb_of(task).span.of(instruction.text),
             state=_spoken_state(tasks[task.id], task),
             prepositions=prepositions,
         )

@@ -72,6 +72,9 @@ class Nouns:
         return tuple(word for word, _, _ in matches)
 
 
+_ANYBODY = frozenset(("somebody", "someone", "anybody", "anyone"))
+_EVERY = frozenset(("all", "both", "each", "every"))
+"""What is denied of these may still be so of some."""
 ALIKE = 72
 """The likeness [0 to 100] from which a word may be a misspelling of another."""
 
@@ -89,6 +92,16 @@ def singulars(phrase: str) -> tuple[str, ...]:
     if word.endswith("s") and not word.endswith("ss") and len(word) > 2:
         stems.append(word[:-1])
     return tuple(f"{start} {stem}".strip() for stem in stems)
+
+
+def deny(phrase: str, state: str) -> str:
+    """That something is not so: "the cups are not dirty", "not both cups are dirty", "nobody is there"."""
+    first, _, rest = phrase.partition(" ")
+    if first.lower() in _ANYBODY:
+        return f"nobody{' else' * rest.startswith('else')} is {state}"
+    if first.lower() in _EVERY:
+        return f"not {phrase} {be(phrase)} {state}"
+    return f"{phrase} {be(phrase)} not {state}"
 
 
 def be(phrase: str) -> str:

@@ -20,13 +20,17 @@ _ADVERBS = {"here", "there", "home", "back", "away", "outside", "inside", "upsta
 """Places that need no preposition."""
 _JOINED = {"object", "recipient", "state"}
 """Arguments that are coordinated where there are several; places follow one another."""
+_ASKING = {"ask", "asks", "asking", "inquire", "enquire"}
 _SWITCHED = {"on", "off"}
 """States that a thing is turned to, not made ("turn the tv off")."""
 
 
-def say_task(task: Task, ontology: Ontology, *, state: str | None = None, prepositions: Sequence[str] = ()) -> str:
+def say_task(
+    task: Task, ontology: Ontology, *, verb: str = "", state: str | None = None, prepositions: Sequence[str] = ()
+) -> str:
     """The task in plain English, as the ontology says it, all its arguments included ("look for a pen in the drawer").
 
+    `verb`: what the instruction says for it, of which only that a message is asked is heeded ("ask Tom where it is").
     `state` stands in where the task names none (the verb implies it). `prepositions`: those that may lead a value.
     """
     values = {kind: list(task.values(kind)) for kind in dict.fromkeys(a.type for a in task.arguments)}
@@ -36,7 +40,8 @@ def say_task(task: Task, ontology: Ontology, *, state: str | None = None, prepos
     for word in ontology.task_types[task.type].says.split():
         match = re.fullmatch(r"\{(\w+)\}", word)
         if match is None:
-            words.append(be(words[-1]) if word == "is" else word)
+            said = be(words[-1]) if word == "is" else word
+            words.append("ask" if said == "tell" and verb.lower() in _ASKING else said)
             continue
         found = values.pop(match[1], [])
         if match[1] == "object" and not found and words == _CHECKING:
@@ -80,7 +85,7 @@ def _first(value: str) -> str:
 
 
 def _known(prepositions: Sequence[str]) -> set[str]:
-    own = {"on", "at", "into", "onto", "with", "next", "under", "behind", "inside"}
+    own = {"on", "at", "into", "onto", "with", "next", "under", "behind", "inside", "out", "off", "beside", "near"}
     return {*prepositions, *_LEADS.values(), *_RESTING, *own, "for"}
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from decomplex_bt.domain.nouns import be
+from decomplex_bt.domain.nouns import be, deny
 from decomplex_bt.planning.belief import ROBOT
 from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.pddl import Atom
@@ -61,7 +61,7 @@ class Looking(Standing):
         return self._bring_about(list(map(self._seen_goal, there)), f"going to {self._objects_phrase()}")
 
     def _not_there(self) -> Pursuit:
-        reason = f"{self._objects_phrase()} {be(self._objects_phrase())} not there"
+        reason = deny(self._objects_phrase(), "there")
         return Pursuit(PursuitStatus.DONE, truth=False, reason=reason, bindings=self.bindings)
 
     def _look_for(self, names: Sequence[str]) -> Pursuit:
@@ -174,5 +174,5 @@ class Looking(Standing):
         return self._is_located(name) or bool(self._open_for([name]))
 
     def _false(self, bound: Mapping[Referent, Sequence[str]]) -> Pursuit:
-        reason = f"{self._objects_phrase()} {be(self._objects_phrase())} not {self.task.state}"
+        reason = deny(self._objects_phrase(), str(self.task.state))
         return Pursuit(PursuitStatus.DONE, truth=False, reason=reason, bindings=self._bind(bound))

@@ -138,7 +138,7 @@ def said_when(flow: Flow, number: int, instruction: Instruction, ontology: Ontol
 def _said(task: Task, instruction: Instruction, ontology: Ontology) -> str:
     """The task in the words of one who speaks to the user: "bring my cup to me" as "bring your cup to you". Where only
     the verb says the state, the user's own verb ("open the fridge")."""
-    said = say_task(task, ontology)
+    said = say_task(task, ontology, verb=instruction.verb_of(task).span.of(instruction.text))
     wants_state = "{state}" in ontology.task_types[task.type].says and not said.startswith("check that ")
     if wants_state and not task.values("state"):
         said = instruction.phrase(task.id).lower()

@@ -2,12 +2,16 @@ import py_trees
 import pytest
 from py_trees.behaviours import Dummy
 
+from decomplex_bt.behaviour.agent import compile_instruction
 from decomplex_bt.behaviour.compiler import compile_flow
 from decomplex_bt.behaviour.conditional import IfThenElse
+from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.domain.nouns import deny
 from decomplex_bt.domain.sentences import say_condition, say_task
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Span, Task
+from decomplex_bt.planning.grounding import ground
 
 
 class Leaf(Dummy):
@@ -92,6 +96,7 @@ def task(kind, **arguments):
         (task("check_state", object="the coffee", state="hot"), None, "check that the coffee is hot"),
         (task("check_state", object="milk", location="in the fridge"), None, "check that milk is in the fridge"),
         (task("check_state", object="Anna"), None, "check that Anna is there"),
+        (task("taking", object="the juice", source="out of the fridge"), None, "take the juice out of the fridge"),
         (task("motion", recipient="me"), None, "go to me"),
         (task("motion", recipient="to me"), None, "go to me"),
         (task("motion", goal="the kitchen", manner="slowly"), None, "go to the kitchen slowly"),
@@ -100,6 +105,27 @@ def task(kind, **arguments):
 )
 def test_names_are_sentences(task, state, sentence):
     assert say_task(task, load_domain("household").ontology, state=state) == sentence
+
+
+@pytest.mark.parametrize(("verb", "sentence"), [("Ask", "ask Tom where it is"), ("tell", "tell Tom where it is")])
+def test_what_is_asked_is_not_told(verb, sentence):
+    asked = task("informing", recipient="Tom", message="where it is")
+    assert say_task(asked, load_domain("household").ontology, verb=verb) == sentence
+
+
+@pytest.mark.parametrize(
+    ("phrase", "state", "said"),
+    [
+        ("both cups", "dirty", "not both cups are dirty"),
+        ("all of the cups", "dirty", "not all of the cups are dirty"),
+        ("every cup", "dirty", "not every cup is dirty"),
+        ("the cups", "dirty", "the cups are not dirty"),
+        ("somebody or me", "there", "nobody is there"),
+        ("anyone else", "there", "nobody else is there"),
+    ],
+)
+def test_what_is_not_so_of_all_may_be_so_of_one(phrase, state, said):
+    assert deny(phrase, state) == said
 
 
 def test_several_are_joined():
@@ -112,3 +138,14 @@ def test_conditions_are_sentences():
     assert say_condition("check that the coffee is hot") == "if the coffee is hot"
     assert say_condition("look for a pen in the drawer") == "if I can find a pen in the drawer"
     assert say_condition("turn the tv on") == "if I can turn the tv on"
+
+
+def test_the_tree_asks_what_is_asked_and_says_in_which_of_two_places_a_thing_is():
+    domain = load_domain("household")
+    marked = (
+        "If [my phone](1:object) [is](1:check_state) neither [on the desk nor on the bed](1:location), "
+        "[ask](2:informing) [Tom](2:recipient) [where it is](2:message)."
+    )
+    instruction = read_markup(marked, domain.ontology, flow=[{"if": 1, "else": [2]}])
+    names = {node.name for node in compile_instruction(instruction, ground(instruction, domain), domain).root.iterate()}
+    assert {"if my phone is on the desk or on the bed", "ask Tom where it is"} <= names
