@@ -251,7 +251,11 @@ _INSIDE_NAMES = frozenset("it me us you by before after if when until unless not
 _AHEAD_OF_NAMES = frozenset(
     "the a an my your his her our their this that these those some any no another each every 's \u2019s".split()
 )
-_HYPHENATED = frozenset("post-it post-its sell-by use-by best-before stand-by lay-by".split())
+_HYPHENATED = frozenset(
+    "post-it post-its sell-by use-by best-before stand-by lay-by e-mail e-mails e-mailed e-mailing stir-fry stir-fries "
+    "stir-fried stir-frying blow-dry blow-dries blow-dried blow-drying".split()
+)
+"""Names and verbs of which a part would be a word or an order of its own: "*e*-mail it", "*stir*-*fry* it"."""
 _BEGINNING = frozenset(
     "if unless when once then otherwise and but or so before after while until either it it's he she they we you i the "
     "this that there what which is are has have do does did can could would will should please".split()
@@ -312,8 +316,9 @@ def _with_words(nlp: Any, doc: Any, words: Sequence[str]) -> Any:
 
 
 def _joined_to_last(doc: Any) -> frozenset[int]:
-    """The tokens that hyphens join to the one before in what is named by a word that elsewhere points or joins clauses:
-    "the *post-it*", "a *sell-by* date", "my *pick-me-up*"; not those of "bring me the cup-if it's clean"."""
+    """The tokens that hyphens join to the one before in what is named by a word that elsewhere points or joins clauses,
+    or in one verb: "the *post-it*", "a *sell-by* date", "my *pick-me-up*", "*e-mail* it"; not those of "bring me the
+    cup-if it's clean"."""
     found: set[int] = set()
     start = 0
     while start < len(doc) - 2:

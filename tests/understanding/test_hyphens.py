@@ -21,6 +21,8 @@ def parser() -> Parser:
         ("Bring Ida her pick-me-up.", "pick-me-up"),
         ("Hang the do-not-disturb sign on the handle.", "do-not-disturb"),
         ("It is in my just-in-case-it-rains bag.", "just-in-case-it-rains"),
+        ("Scan the letter and e-mail it to Tom.", "e-mail"),
+        ("Stir-fry the vegetables.", "Stir-fry"),
     ],
 )
 def test_a_name_is_one_token(parser: Parser, text: str, word: str) -> None:
@@ -44,6 +46,20 @@ def test_a_name_is_one_token(parser: Parser, text: str, word: str) -> None:
 )
 def test_what_joins_clauses_or_points_stays_a_word(parser: Parser, text: str) -> None:
     assert all(token.text == "-" for token in parser.parse(text).tokens if "-" in token.text)
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "orders"),
+    [
+        ("Scan the letter and e-mail it to Tom.", ["Scan", "e-mail"]),
+        ("Stir-fry the vegetables and bring them to me.", ["Stir-fry", "bring"]),
+        ("If the dog is wet, blow-dry him.", ["is", "blow-dry"]),
+    ],
+)
+def test_a_verb_of_two_words_is_one_order(text: str, orders: list[str], encoder: bool) -> None:
+    tasks = Interpreter.load(encoder=encoder).interpret(text).tasks
+    assert [task.span.of(text) for task in tasks] == orders
 
 
 @pytest.mark.parametrize("encoder", [False, True])
