@@ -29,7 +29,7 @@ _REPEATING = {
 
 
 _SPANS = frozenset("second seconds minute minutes hour hours day days week weeks".split())
-_MAKING = frozenset("make brew cook bake fix prepare mix buy purchase".split())
+_MAKING = frozenset("make brew cook bake fix prepare mix buy purchase order book hire rent".split())
 _COUNTING = frozenset(("count", "tally"))
 _ONE_OF_EACH = {
     "motion": "goal", "following": "goal", "placing": "goal", "bringing": "recipient", "informing": "recipient",
@@ -242,5 +242,5 @@ def _says_state(observed: Observed, task: Task) -> bool:
 
 _CHECKING = frozenset("check see be look verify make find confirm inspect".split())
 _GENERIC = frozenset("turn switch set make put get have leave keep adjust flip".split())
-_SAYING = frozenset((("make", "bed"), ("make", "tea"), ("make", "coffee"), ("set", "table")))
+_SAYING = frozenset((("make", "bed"), ("make", "tea"), ("make", "coffee"), ("set", "table"), ("set", "alarm")))
 """Verbs and what they say the state of only with it."""
