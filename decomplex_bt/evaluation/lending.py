@@ -1,8 +1,9 @@
-"""The planner of an evaluation, lent to its processes: each of them is to have it once."""
+"""The planner of an evaluation, lent to its workers: each process, and each thread, is to have it once."""
 
 from __future__ import annotations
 
 import os
+import threading
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import count
@@ -16,7 +17,7 @@ _NUMBERS = count()
 
 @dataclass(frozen=True)
 class Lent:
-    """A planner, or what makes one, on its way to other processes; called, it gives the one of this process.
+    """A planner, or what makes one, on its way to other processes; called, it gives the one of this thread.
 
     A copy of it comes with each handful of episodes: the first is kept, with all that its planner remembers.
     """
@@ -25,14 +26,19 @@ class Lent:
     given: Any = field(compare=False)
 
     def __call__(self) -> Planner:
-        return _kept(self)
+        return _WORKER.kept(self)
 
 
 def lend(planner: Planning | None) -> Lent | None:
-    """The planner as processes share it."""
+    """The planner as workers share it."""
     return None if planner is None else Lent((os.getpid(), next(_NUMBERS)), planner)
 
 
-@lru_cache(maxsize=2)
-def _kept(lent: Lent) -> Planner:
-    return planner_of(lent.given)
+class _Worker(threading.local):
+    """What a thread has of its own: planners remember, and need not bear to be asked by two at once."""
+
+    def __init__(self) -> None:
+        self.kept = lru_cache(maxsize=2)(lambda lent: planner_of(lent.given))
+
+
+_WORKER = _Worker()

@@ -8,10 +8,9 @@ Environments are reached through their Gymnasium id alone.
 
 from __future__ import annotations
 
-import atexit
-import gc
 import logging
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache, partial
 from pathlib import Path
@@ -20,7 +19,6 @@ from typing import Any, Literal
 
 import gymnasium as gym
 
-import decomplex_bt
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError, check_jobs, is_whole
@@ -37,6 +35,7 @@ from decomplex_bt.evaluation.agents import (
     needs_flow,
 )
 from decomplex_bt.evaluation.blame import Blame, blame_reading, blame_run
+from decomplex_bt.evaluation.environments import check_env, make_env, offered
 from decomplex_bt.evaluation.lending import lend
 from decomplex_bt.evaluation.planners import Planning, planner_of
 from decomplex_bt.evaluation.row import Outcome, Row
@@ -110,7 +109,8 @@ def evaluate(
     `agent`: the name of a policy, or what makes one of the environment (`Maker`), which the rows name as it is named.
     `reading`: whether the tree agent understands the text itself or is given the gold flow. `jobs`: processes, -1 for
     one a core; joblib's `parallel_config` chooses another backend. `planner`: in place of the setup's (`Setup`). Raises
-    `InputError` for options that make no sense, and for a planner or a maker that other processes need and cannot have.
+    `InputError`, before any episode, for options that make no sense and an environment that cannot be made or does not
+    offer the agent; also for a planner or a maker that other processes need and cannot have.
     """
     return evaluate_agents(
         examples,
@@ -241,9 +241,11 @@ def _check_examples(examples: Any) -> None:
 def run_episodes(
     planned: Sequence[Episode], setup: Setup, *, jobs: int = 1, progress: Progress | None = None
 ) -> Iterator[Row]:
-    """The rows of the episodes, in their order, as they come."""
+    """The rows of the episodes, in their order, as they come. Raises `InputError` for a setup in which none can be
+    run."""
     from joblib import delayed
 
+    check_env(setup, {episode.agent: episode.gold for episode in planned if episode.maker is None})
     size = 1 if jobs == 1 else CHUNK
     chunks = [planned[start : start + size] for start in range(0, len(planned), size)]
     lent = replace(setup, planner=lend(setup.planner))
@@ -264,8 +266,13 @@ def run_episodes(
 
 
 def run_episode(episode: Episode, setup: Setup) -> Row:
-    """One episode from reset to verdict, as a row."""
-    env, planner = _bench(setup.env_id, setup.domain), planner_of(setup.planner)
+    """One episode from reset to verdict, as a row. Raises `InputError` for a setup that no episode can be run in."""
+    with closing(make_env(setup)) as env:
+        return _run_in(env, episode, setup)
+
+
+def _run_in(env: gym.Env[Any, Any], episode: Episode, setup: Setup) -> Row:
+    planner = planner_of(setup.planner)
     try:
         observation, info = env.reset(seed=episode.seed, options={"instruction": episode.gold, **setup.options()})
     except InputError as error:
@@ -309,8 +316,7 @@ def _maker_of(episode: Episode, env: gym.Env[Any, Any], planner: Planner, setup:
     if episode.maker is not None:
         is_chosen = setup.planner is not None
         return partial(make_policy, episode.maker, env, flow=episode.reading, planner=planner, is_chosen=is_chosen)
-    offered = env.get_wrapper_attr("policy")
-    return partial(offered, episode.agent, flow=episode.reading, planner=planner, seed=episode.seed)
+    return partial(offered(env, setup), episode.agent, flow=episode.reading, planner=planner, seed=episode.seed)
 
 
 def _as_left_alone(episode: Episode) -> Episode:
@@ -369,20 +375,6 @@ def _understand(texts: Sequence[str], domain: Domain) -> list[Instruction | str]
 
 def _run_chunk(episodes: Iterable[Episode], setup: Setup) -> list[Row]:
     return [run_episode(episode, setup) for episode in episodes]
-
-
-@lru_cache(maxsize=2)
-def _bench(env_id: str, domain: str | Path) -> gym.Env[Any, Any]:
-    """A process' environment."""
-    assert decomplex_bt  # importing it registers the ids
-    return gym.make(env_id, domain=domain)
-
-
-@atexit.register
-def _clear_away() -> None:
-    """Frees the worlds while pymunk can still free its own."""
-    _bench.cache_clear()
-    gc.collect()
 
 
 def _ended(

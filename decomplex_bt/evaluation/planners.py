@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
-from functools import cache
 from typing import Any, TypeGuard
 
 from decomplex_bt.errors import InputError, quoted
 from decomplex_bt.planning.planner import Planner
+from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
 Planning = Planner | Callable[[], Planner]
 """A planner, or what makes one."""
@@ -23,12 +24,12 @@ def check_planner(planner: Any) -> None:
 
 
 def planner_of(given: Planning | None) -> Planner:
-    """The planner itself, the one that it makes, or for None the default one, the same for all of a process.
+    """The planner itself, the one that it makes, or for None the default one, the same for all of a thread.
 
     Raises `InputError` for what makes something else.
     """
     if given is None:
-        return _default()
+        return _DEFAULT.planner
     made: Any = given if _is_planner(given) or not callable(given) else given()
     if _is_planner(made):
         return made
@@ -40,8 +41,11 @@ def _is_planner(value: object) -> TypeGuard[Planner]:
     return not isinstance(value, type) and callable(getattr(value, "solve", None))
 
 
-@cache
-def _default() -> Planner:
-    from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
+class _Default(threading.local):
+    """The default planner of a thread."""
 
-    return PyperplanPlanner()
+    def __init__(self) -> None:
+        self.planner = PyperplanPlanner()
+
+
+_DEFAULT = _Default()

@@ -9,6 +9,8 @@ from typing import Any
 from decomplex_bt.errors import InputError
 from decomplex_bt.evaluation.planners import Planning, check_planner
 
+HOUSEHOLD = "decomplex_bt/Household-v0"
+"""The environment where none is named."""
 _HIGHEST = {"balance": 0.5, "max_seconds": float("inf"), "grasp_slip": 1.0, "missed_detection": 1.0, "meddling": 60.0}
 """The highest value of each number of a `Setup`, as the reset options have it; the lowest is 0."""
 
@@ -17,15 +19,18 @@ _HIGHEST = {"balance": 0.5, "max_seconds": float("inf"), "grasp_slip": 1.0, "mis
 class Setup:
     """What all episodes of an evaluation have in common.
 
-    `domain`: name or folder. `balance` in [0, 0.5], `max_seconds` of simulated time: None as the environment has them.
+    `env_id`: of an environment that takes a `domain` and offers the agents that are named by `policy(name, ...)`; each
+    episode has its own. `domain`: name or folder. `balance` in [0, 0.5], `max_seconds` of simulated time: None as the
+    environment has them.
     `noise`: slips and misses, as the house has them, or with the probabilities `grasp_slip` and `missed_detection`.
     `meddling`: things that somebody else moves in a minute of simulated time, on average, from 0 to 60.
-    `planner`: of the agents that plan, or a function that makes one (None: pyperplan); each process has its own, copied
-    or made there, for all its episodes. It counts for equality alone: one that cannot be hashed is a planner as well.
+    `planner`: of the agents that plan, or a function that makes one (None: pyperplan). Each process has its own, copied
+    or made there, for all its episodes; so has each thread, where joblib runs threads, but for a planner that is given
+    as it is: they share it. It counts for equality alone: one that cannot be hashed is a planner as well.
     Raises `InputError` for a number out of its range, and for what is none of these.
     """
 
-    env_id: str = "decomplex_bt/Household-v0"
+    env_id: str = HOUSEHOLD
     domain: str | Path = "household"
     balance: float | None = None
     max_seconds: float | None = None
@@ -37,7 +42,7 @@ class Setup:
 
     def __post_init__(self) -> None:
         if not isinstance(self.env_id, str):
-            raise InputError(f"env_id is {self.env_id!r}; expected the id of an environment, as in {Setup.env_id!r}")
+            raise InputError(f"env_id is {self.env_id!r}; expected the id of an environment, as in {HOUSEHOLD!r}")
         if not isinstance(self.domain, str | Path):
             raise InputError(f"domain is {self.domain!r}; expected the name of a shipped one or a folder")
         for name, highest in _HIGHEST.items():

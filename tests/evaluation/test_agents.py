@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import partial, wraps
 
 import pytest
+from joblib import parallel_config
 
 import decomplex_bt
 from decomplex_bt.corpus import parse_corpus
@@ -216,6 +217,24 @@ def test_one_planner_is_made_for_all_episodes_of_a_process():
     Numbered.made = 0
     evaluate_agents(GO, ("tree", "oracle"), episodes=3, reading="gold", planner=Numbered)
     assert Numbered.made == 1
+
+
+class OfOneThread(PyperplanPlanner):
+    """A planner that does not bear to be asked by another thread than the one that made it."""
+
+    def __init__(self):
+        super().__init__()
+        self.thread = threading.get_ident()
+
+    def solve(self, problem):
+        assert threading.get_ident() == self.thread
+        return super().solve(problem)
+
+
+def test_a_planner_is_made_for_each_thread():
+    with parallel_config("threading"):
+        rows = evaluate(GO, episodes=12, reading="gold", planner=OfOneThread, jobs=2)
+    assert {row.outcome for row in rows} == {"success"}
 
 
 def test_a_planner_goes_along_to_other_processes():

@@ -5,7 +5,9 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+import gymnasium as gym
 import pytest
+from joblib import parallel_config
 
 import decomplex_bt.evaluation
 from decomplex_bt.corpus import parse_corpus
@@ -75,6 +77,11 @@ def test_infeasible_episodes_name_their_cause(rows):
 
 def test_rows_are_the_same_for_any_number_of_jobs(rows):
     assert evaluate(EXAMPLES, episodes=6, seed=3, reading="gold", setup=SETUP, jobs=2) == rows
+
+
+def test_rows_are_the_same_where_the_workers_are_threads(rows):
+    with parallel_config("threading"):
+        assert evaluate(EXAMPLES, episodes=6, seed=3, reading="gold", setup=SETUP, jobs=3) == rows
 
 
 def test_progress_is_told_after_every_episode():
@@ -188,10 +195,43 @@ def test_a_setup_has_noise_or_has_not(noise):
         Setup(noise=noise)
 
 
+def burst(domain):
+    raise RuntimeError("the house burnt down")
+
+
+gym.register("tests/Burst-v0", entry_point=burst)
+gym.register("tests/NoPolicy-v0", entry_point=lambda domain: gym.Env(), disable_env_checker=True)
+
+
+@pytest.mark.parametrize(
+    ("env_id", "message"),
+    [
+        ("decomplex_bt/Hosehold-v0", "no environment can be made: .*Did you mean: `Household`"),
+        ("nowhere", "no environment can be made: .*expected an id like 'decomplex_bt/Household-v0'"),
+        ("CartPole-v1", "no environment can be made: .*'domain'"),
+        ("no_such_module:House-v0", "no environment can be made: No module named"),
+        ("tests/Burst-v0", "no environment can be made: the house burnt down"),
+        ("tests/NoPolicy-v0", "offers no policies"),
+        ("decomplex_bt/HouseholdFlat-v0", "whose agent 'tree' cannot be had: .*make Household-v0"),
+    ],
+)
+def test_an_environment_that_will_not_do_is_refused_before_any_episode(env_id, message):
+    begun = []
+
+    def mine(env):
+        begun.append(env)
+        return Finisher(env)
+
+    with pytest.raises(InputError, match=f"^env_id is '{env_id}', .*{message}") as refused:
+        evaluate_agents(EXAMPLES, (mine, "tree"), episodes=2, reading="gold", setup=replace(SETUP, env_id=env_id))
+    assert "\n" not in str(refused.value)
+    assert not begun
+
+
 def test_a_setup_has_a_domain_and_an_environment():
     with pytest.raises(InputError, match="domain is 3; expected the name of a shipped one or a folder"):
         Setup(domain=3)
-    with pytest.raises(InputError, match="env_id is 3; expected the id of an environment"):
+    with pytest.raises(InputError, match=r"env_id is 3; expected .*, as in 'decomplex_bt/Household-v0'"):
         Setup(env_id=3)
 
 
