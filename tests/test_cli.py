@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import json
+import os
 import shlex
 import shutil
 import subprocess
@@ -550,6 +551,52 @@ def test_streams_that_are_closed_from_the_start_are_no_error(command: str, expec
     assert done.returncode == expected
     assert "internal error" not in done.stderr
     assert all(line.startswith("{") for line in done.stdout.splitlines()), "data alone goes to standard output"
+
+
+@pytest.fixture
+def unread():
+    """The writing end of a pipe that nobody reads."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    yield writing
+    os.close(writing)
+
+
+def test_remarks_that_nobody_reads_cost_no_output(unread: int, monkeypatch, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = b"Turn on the tv.\n\nGo to the kitchen.\n\n"
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(lines), encoding="utf-8"))
+    monkeypatch.setattr(sys, "stderr", open(os.dup(unread), "w", encoding="utf-8"))  # noqa: SIM115 - until it is undone
+    assert main(["parse", "--json"]) == 2
+    parsed = [json.loads(line)["text"] for line in capsys.readouterr().out.splitlines()]
+    assert parsed == ["Turn on the tv.", "Go to the kitchen."]
+    sys.stderr.close()
+
+
+def buffered(arguments: list[str], **streams) -> subprocess.CompletedProcess[str]:
+    """The command line in a process of its own, which writes when it has much to write or ends."""
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
+    command = [sys.executable, "-m", "decomplex_bt.cli", *arguments]
+    return subprocess.run(command, env=environment, text=True, check=False, **streams)
+
+
+def test_errors_that_nobody_reads_have_their_exit_status(unread: int) -> None:
+    done = buffered(["corpus", "check", "/nowhere.yaml"], stdout=subprocess.PIPE, stderr=unread)
+    assert (done.returncode, done.stdout) == (2, "")
+
+
+@pytest.mark.parametrize("arguments", [["--version"], ["corpus", "check", str(INSTRUCTIONS)]])
+def test_short_output_that_nobody_reads_is_no_error(arguments: list[str], unread: int) -> None:
+    done = buffered(arguments, stdout=unread, stderr=subprocess.PIPE)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
+@pytest.mark.parametrize("arguments", [["--version"], ["corpus", "check", str(INSTRUCTIONS)]])
+def test_short_output_that_finds_no_room_is_told_in_one_line(arguments: list[str]) -> None:
+    with Path("/dev/full").open("w") as full:
+        done = buffered(arguments, stdout=full, stderr=subprocess.PIPE)
+    assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
+    assert "the output cannot be written: No space left" in done.stderr
 
 
 def test_reader_that_stops_hears_nothing_of_processes_that_were_at_work(tmp_path: Path) -> None:

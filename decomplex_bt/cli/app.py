@@ -6,12 +6,14 @@ import errno
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import redirect_stderr
 from typing import Annotated, Any
 
 import typer
 
 from decomplex_bt import __version__
 from decomplex_bt.cli import corpus, evaluate, parse, plan, reproduce, run, train, tree
+from decomplex_bt.cli.output import Spared, silence
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import escaped
 
@@ -66,8 +68,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:  # closed before the start ("run ... 2>&-"): what is printed goes nowhere
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - until the process ends
+    remarks: Any = Spared(sys.stderr)
+    with redirect_stderr(remarks):
+        return _run(arguments)
+
+
+def _run(arguments: Sequence[str]) -> int:
     try:
-        result = typer.main.get_command(app).main(arguments, prog_name="decomplex-bt", standalone_mode=False)
+        try:
+            result = typer.main.get_command(app).main(list(arguments), prog_name="decomplex-bt", standalone_mode=False)
+        finally:
+            sys.stdout.flush()  # here, and not as Python ends, where what goes wrong would be told in its words
         if result == INTERRUPTED:  # typer has caught what `except` is for below
             _complain("interrupted")
         return result if isinstance(result, int) else OK
@@ -87,10 +98,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     except (BrokenPipeError, SystemExit):
         # Whoever read our output has seen enough (typer turns that into SystemExit, which it uses for nothing else
         # here); keep Python from complaining about it when it exits.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        silence(sys.stdout)
         return OK
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EIO, errno.EDQUOT):
+            silence(sys.stdout)
             _complain(f"the output cannot be written: {error.strerror}")
         elif error.filename is not None:  # a path that no check had foreseen, "File name too long" for one
             _complain(f"{error.filename}: cannot be used: {error.strerror}; give another path")

@@ -2,14 +2,49 @@
 
 from __future__ import annotations
 
+import io
 import json
+import os
 import re
 import sys
 from collections.abc import Iterable, Iterator
-from typing import Any, TypeVar
+from contextlib import contextmanager, suppress
+from typing import Any, TextIO, TypeVar
 
 Item = TypeVar("Item")
 _LINE_ENDS = re.compile("[\x7f\x85\u2028\u2029]")
+
+
+class Spared:
+    """Standard error that nobody need read: what cannot be written there is lost, and is no reason to stop."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        with self._sparing():
+            self._stream.write(text)
+        return len(text)
+
+    def flush(self) -> None:
+        with self._sparing():
+            self._stream.flush()
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+    @contextmanager
+    def _sparing(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError:
+            silence(self._stream)
+
+
+def silence(stream: TextIO) -> None:
+    """Lets a stream that cannot be written go nowhere, also what Python still holds of it and writes when it ends."""
+    with open(os.devnull, "wb") as nowhere, suppress(io.UnsupportedOperation):  # of a stream that is no file
+        os.dup2(nowhere.fileno(), stream.fileno())
 
 
 def use_utf8() -> None:
