@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import InputError, is_whole
 from decomplex_bt.flow import Flow
 
 
@@ -146,8 +146,10 @@ class Instruction:
         """The object that `decomplex-bt parse --format json` prints; keys in that order.
 
         With `alternatives`, it also has how certain the flow and each task's place in it is, and at most that many
-        other flows.
+        other flows. Raises `InputError` for what is no number of flows.
         """
+        if alternatives is not None and (not is_whole(alternatives) or alternatives < 0):
+            raise InputError(f"alternatives is {alternatives!r}; expected a whole number from 0, or None")
         dependencies = self.flow.dependencies()
         tasks = [self._task_to_json(task, dependencies.get(task.id, "sequential")) for task in self.tasks]
         value = {

@@ -6,6 +6,8 @@ import pytest
 
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.flow import Flow
+from decomplex_bt.instruction import Alternative, Instruction
 
 DOMAIN = load_domain()
 
@@ -56,3 +58,12 @@ def test_what_is_only_implied_is_sought_at_the_place() -> None:
     implied = {2: {"object": "my keys"}}
     instruction = read_markup(text, DOMAIN.ontology, flow=[1, 2], implied=implied)
     assert instruction.phrase(2) == "try the drawer for my keys"
+
+
+@pytest.mark.parametrize("alternatives", [-1, 1.5, True, "2"])
+def test_other_flows_are_counted_from_none(alternatives) -> None:
+    two = Alternative(Flow(), 0.2)
+    instruction = Instruction("Go.", alternatives=(two, two))
+    assert [len(instruction.to_json(alternatives=n)["alternatives"]) for n in range(4)] == [0, 1, 2, 2]
+    with pytest.raises(ValueError, match=f"alternatives is {alternatives!r}; expected a whole number from 0, or None"):
+        instruction.to_json(alternatives=alternatives)
