@@ -284,7 +284,7 @@ def test_no_input_and_no_room_for_output_are_no_program_errors(
 ) -> None:
     monkeypatch.setattr("sys.stdin", None)
     assert main(["parse"]) == 2
-    assert "standard input is closed" in capsys.readouterr().err
+    assert "standard input is closed; give a file, or an instruction: echo TEXT | " in capsys.readouterr().err
     assert main(["plan", "Go to the kitchen."]) == 0
 
     def full(*_: object, **__: object) -> None:
@@ -474,6 +474,12 @@ def test_evaluate_tells_the_way_from_a_text_to_a_corpus(tmp_path: Path, capsys: 
 def test_parse_tells_how_an_instruction_is_given(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["parse", "Open the window; don't close it."]) == 2
     assert """echo 'Open the window; don'"'"'t close it.' | decomplex-bt parse""" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("source", ["", " "])
+def test_a_blank_is_no_file(source: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["parse", source]) == 2
+    assert f"{source!r} names no file; give one, or - for standard input" in capsys.readouterr().err
 
 
 def test_help_loads_nothing_heavy() -> None:

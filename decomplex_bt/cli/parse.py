@@ -118,9 +118,11 @@ def _decode(raw: bytes, *, is_first: bool) -> str:
 def _open(source: str) -> Iterator[BinaryIO]:
     if source == "-":
         if sys.stdin is None:
-            raise InputError("standard input is closed; give the text as an argument, or a file")
+            raise InputError("standard input is closed; give a file, or an instruction: echo TEXT | decomplex-bt parse")
         yield sys.stdin.buffer
         return
+    if not source.strip():
+        raise InputError(f"{source!r} names no file; give one, or - for standard input")
     try:
         stream = Path(source).open("rb")  # noqa: SIM115 - an error of whoever uses it is none of opening it
     except OSError as error:

@@ -13,10 +13,12 @@ ENCODER_FOLDER = "encoder"
 
 
 class ModelError(DataFileError):
-    """A trained model is missing, damaged or made for other code; the message says how to make it anew where it is."""
+    """A trained model is missing, damaged or made for other code; the message says how to make it anew where it is,
+    `problem` does not."""
 
     def __init__(self, path: Path, problem: str) -> None:
         super().__init__(path, f"{problem}; run `{_training(path)}`")
+        self.problem = problem
 
 
 def _training(path: Path) -> str:

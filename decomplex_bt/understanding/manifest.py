@@ -98,8 +98,10 @@ def read_manifest(folder: Path) -> Manifest:
     path = folder / MANIFEST_FILE
     try:
         text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise ModelError(path, f"cannot be read ({error})") from None
+    except OSError as error:
+        raise ModelError(path, f"cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise ModelError(path, f"not valid UTF-8 at byte {error.start}") from None
     try:
         import json
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from decomplex_bt.corpus import Example, Split, read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain, load_domain
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import DataFileError, InputError
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.processes import results
 from decomplex_bt.understanding.arguments import gold_tasks, train_arguments
@@ -137,9 +137,7 @@ def train(
     if base is not None:
         if not encoder:
             raise InputError(f"nothing but the encoder goes on from trained models; leave {base} out, or add --encoder")
-        from decomplex_bt.understanding.encoder.stages import FOLDER_FILES
-
-        known = set(check_models(base, loaded, models=(), files=FOLDER_FILES).voices)
+        known = _learnt(base, loaded)
         if not is_own:
             splits, examples = _with_own(splits, examples, known, own_corpus, loaded)
         if rehearse and "train" not in splits.values():
@@ -184,6 +182,20 @@ def train(
         )
         _put_in_place(folder, target)
     return TrainingReport(tuple(splits), len(examples), left_out, target, held_out)
+
+
+def _learnt(base: Path, domain: Domain) -> set[str]:
+    """The voices that a trained encoder has learnt from. Raises `InputError` where there is none to go on from."""
+    from decomplex_bt.understanding.encoder.stages import FOLDER_FILES
+
+    try:
+        return set(check_models(base, domain, models=(), files=FOLDER_FILES).voices)
+    except DataFileError as error:
+        shipped = domain.folder / "models" / ENCODER_FOLDER
+        raise InputError(
+            f"--from {base}: holds no encoder to go on from ({error.path}: {error.problem}); give the folder of one, "
+            f"as the domain's own, {shipped}"
+        ) from None
 
 
 def _models_beside(output: Path, domain: Domain) -> Manifest:

@@ -121,8 +121,15 @@ def test_training_does_not_go_on_where_nothing_is_new_or_names_clash(small_corpu
 
     with pytest.raises(InputError, match=r"nothing but the encoder goes on .*; leave .*base out, or add --encoder"):
         go_on(encoder=False)
-    with pytest.raises(DataFileError, match=r"manifest\.json"):
+    with pytest.raises(
+        InputError, match=r"^--from \S*: holds no encoder .*manifest\.json: .*; give the folder of one, as"
+    ):
         go_on(base=tmp_path)
+    (base / FOLDER_FILES[0]).write_text("damaged", encoding="utf-8")
+    with pytest.raises(InputError, match=r"holds no encoder .*: the model is not the one in the manifest") as refused:
+        go_on()
+    assert "decomplex-bt train" not in str(refused.value), "it would be made anew from other voices, if at all"
+    (base / FOLDER_FILES[0]).write_text(FOLDER_FILES[0], encoding="utf-8")
     voices = small_corpus / "voices.yaml"
     voices.write_text("voices:\n  keep: {description: b, split: test}\n", encoding="utf-8")
     with pytest.raises(InputError, match=r"base knows every training voice of .*corpus; add one"):
