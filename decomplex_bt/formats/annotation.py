@@ -87,9 +87,17 @@ def read_text(path: Path) -> str:
 
 
 def from_json(value: str, name: str) -> Any:
-    """A value from its JSON form. Raises `InputError` with `name`."""
+    """A value from its JSON form. Raises `InputError` with `name`, also for half a character, which JSON can write and
+    no file holds."""
     try:
-        return json.loads(value)
+        found = json.loads(value)
+        json.dumps(found, ensure_ascii=False).encode("utf-8")
+        return found
+    except UnicodeEncodeError as error:
+        half = error.object[error.start]
+        raise InputError(
+            f"{name} holds {half!r}, half of a character beyond U+FFFF without the other; write the whole character"
+        ) from None
     except (ValueError, RecursionError) as error:
         raise InputError(f"{name} is not valid JSON: {error}") from None
 

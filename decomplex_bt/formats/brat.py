@@ -91,8 +91,11 @@ def write_brat(examples: Sequence[Example]) -> dict[str, str]:
     position = 0
     for example in examples:
         text = example.instruction.text
-        if not text or text != text.strip("\n"):
-            raise InputError(f"example {example.id!r} is empty, or begins or ends with a line break; not so in BRAT")
+        if not text or text != text.strip("\r\n\ufeff"):
+            raise InputError(
+                f"example {example.id!r} is empty, or begins or ends with a line break or a byte order mark; not so in "
+                "BRAT"
+            )
         key = add("T", f"{INSTRUCTION} {_fragments(text, position)}\t{_shown(text)}")
         add("#", f"{NOTE} {key}\t{to_json(_note(example))}")
         _write_tasks(example.instruction, position, add)

@@ -30,5 +30,11 @@ def _item(example: Example) -> str:
 def _value(key: str, value: Any) -> str:
     if key == "text" and value.isprintable() and value == value.strip() and value:
         return f">-\n    {value}"
-    dumped = yaml.safe_dump(value, default_flow_style=True, allow_unicode=True, width=1_000_000, sort_keys=False)
+    dumped = _dumped(value, is_plain=True)
+    if "\x85" in dumped:  # a line break to a reader, which would make a space of it
+        dumped = _dumped(value, is_plain=False)
     return dumped.removesuffix("\n").removesuffix("\n...")
+
+
+def _dumped(value: Any, *, is_plain: bool) -> str:
+    return yaml.safe_dump(value, default_flow_style=True, allow_unicode=is_plain, width=1_000_000, sort_keys=False)

@@ -25,6 +25,13 @@ ODD = r"""
   flow: [{if: 1, else: [2]}]
   source: "here: there"
   note: "# no comment"
+- id: "line\x85breaks"
+  text: "\
+    \x85\u2028[Turn](1:change_state) \
+    [the\x85tv](1:object=a\x85b) on\x0b.\x85"
+  implied: {1: {state: "o\x85n"}}
+  flow: [1]
+  note: "so\x85far"
 - {id: empty of tasks, text: "Hello, \U0001f916!", flow: []}
 """
 
@@ -59,6 +66,15 @@ def test_odd_texts_survive_a_round_trip(form: str, domain: Domain, tmp_path: Pat
     assert read_examples(target, domain) == examples
 
 
+@pytest.mark.parametrize("end", ["\r", "\n", "\ufeff"])
+def test_what_brat_would_lose_is_refused(end: str, domain: Domain, tmp_path: Path) -> None:
+    for number, text in enumerate((f"Hello{end}", f"{end}Hello")):
+        said = json.dumps({"text": text, "tasks": [], "flow": []})
+        (tmp_path / f"{number}.jsonl").write_text(said, encoding="utf-8")
+        with pytest.raises(InputError, match="begins or ends with a line break or a byte order mark; not so in BRAT"):
+            convert(tmp_path / f"{number}.jsonl", tmp_path / "out.ann", domain, to="brat")
+
+
 def test_jsonl_is_what_parse_prints_without_confidences(domain: Domain, tmp_path: Path) -> None:
     (tmp_path / "odd.yaml").write_text(ODD, encoding="utf-8")
     convert(tmp_path / "odd.yaml", tmp_path / "odd.jsonl", domain, to="jsonl")
@@ -91,6 +107,12 @@ BROKEN = {
         "a.jsonl",
         {"tasks": [{**GO, "arguments": [{"type": "goal", "start": 0, "end": 4, "value": "x"}]}]},
         "overlap",
+    ),
+    "half a character": ("a.jsonl", {"text": "go \ud800"}, r"a.jsonl:1: the line holds '\ud800', half of a character"),
+    "half in a note": (
+        "a.ann",
+        'T1\tinstruction 0 2\tgo\n#1\tAnnotatorNotes T1\t{"id": "\\udc00", "flow": []}\n',
+        r"holds '\udc00', half of a character",
     ),
     "unknown key": ("a.jsonl", {"flows": []}, "unknown key 'flows'"),
     "two of one id": ("a.jsonl", '{"id": "a", "text": "x", "tasks": [], "flow": []}\n' * 2, "stands twice"),
