@@ -457,6 +457,17 @@ def test_evaluate_writes_rows_and_summary(tmp_path: Path, capsys: pytest.Capture
     assert "oracle" in capsys.readouterr().err
 
 
+@pytest.mark.skipif(os.name == "nt" or sys.platform == "darwin", reason="names of files are Unicode there")
+def test_results_of_a_corpus_whose_name_is_not_utf8_are_written(tmp_path: Path, capsys) -> None:
+    corpus, out = (tmp_path / os.fsdecode(name) for name in (b"voice\xff.yaml", b"out\xff"))
+    corpus.write_text('- {id: one, text: "[Go](1:motion) [home](1:goal=the kitchen).", flow: [1]}\n', encoding="utf-8")
+    assert main(["evaluate", str(corpus), "-n", "1", "--agent", "idle", "--output", str(out), "--json"]) == 0
+    summary = json.loads(capsys.readouterr().out)
+    assert summary["settings"]["corpus"] == str(corpus)
+    assert json.loads((out / "summary.json").read_text(encoding="utf-8")) == summary
+    assert (out / "failures.txt").read_text(encoding="utf-8").startswith("idle, one, seed 0: ")
+
+
 def test_evaluate_tells_the_way_from_a_text_to_a_corpus(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text, parsed, made = (tmp_path / f"x.{suffix}" for suffix in ("txt", "jsonl", "yaml"))
     convert = f"decomplex-bt corpus convert --from jsonl --to yaml {parsed} {made}"

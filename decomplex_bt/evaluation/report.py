@@ -62,10 +62,13 @@ def write_results(folder: Path, rows: Sequence[Row], settings: Mapping[str, Any]
 
 
 def write_whole(path: Path, text: str) -> Path:
-    """Writes a file beside its place and moves it there, so that a reader never finds half of it."""
+    """Writes a file beside its place and moves it there, so that a reader never finds half of it.
+
+    What is no character, as in the name of a file that is not UTF-8, is escaped, as JSON would have it.
+    """
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
+        with os.fdopen(handle, "w", encoding="utf-8", errors="backslashreplace") as file:
             file.write(text)
         os.chmod(name, 0o644)
         os.replace(name, path)
