@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import InputError, quoted
 from decomplex_bt.evaluation.planners import Planning, check_planner
 
 HOUSEHOLD = "decomplex_bt/Household-v0"
@@ -44,7 +44,7 @@ class Setup:
         if not isinstance(self.env_id, str):
             raise InputError(f"env_id is {self.env_id!r}; expected the id of an environment, as in {HOUSEHOLD!r}")
         if not isinstance(self.domain, str | Path):
-            raise InputError(f"domain is {self.domain!r}; expected the name of a shipped one or a folder")
+            raise InputError(f"domain is {quoted(self.domain)}; expected the name of a shipped one or a folder")
         for name, highest in _HIGHEST.items():
             value = getattr(self, name)
             is_number = isinstance(value, (int, float)) and not isinstance(value, bool)

@@ -233,6 +233,9 @@ def test_a_setup_has_a_domain_and_an_environment():
         Setup(domain=3)
     with pytest.raises(InputError, match=r"env_id is 3; expected .*, as in 'decomplex_bt/Household-v0'"):
         Setup(env_id=3)
+    with pytest.raises(InputError, match="domain is Domain") as refused:
+        Setup(domain=DOMAIN)
+    assert len(str(refused.value)) < 250, "not the whole of it"
 
 
 def test_agents_are_named_once_each():
