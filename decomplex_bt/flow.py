@@ -66,6 +66,8 @@ class If:
 
 
 Node = Do | If
+FlowPath = tuple[tuple[int, str], ...]
+"""The conditions above a node, outermost first: of each the number and the side, "then" or "else"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +96,12 @@ class Flow:
 
     def walk(self) -> Iterator[tuple[Node, str]]:
         """Every node with its place, depth first, `then` before `else`: place is "top", "then" or "else"."""
-        yield from _walk(self.nodes, "top")
+        for node, path in self.paths():
+            yield node, path[-1][1] if path else "top"
+
+    def paths(self) -> Iterator[tuple[Node, FlowPath]]:
+        """Every node, depth first, `then` before `else`, with the conditions under which it stands."""
+        yield from _paths(self.nodes, ())
 
     def numbers(self) -> tuple[int, ...]:
         """All task numbers in the order of the tree, repeats left out."""
@@ -134,9 +141,9 @@ class Flow:
         return self.describe({number: f"task {number}" for number in self.numbers()})
 
     def _check_numbers(self, task_count: int | None) -> None:
-        placed: dict[int, tuple[tuple[int, str], ...]] = {}
-        repeats: list[tuple[int, tuple[tuple[int, str], ...]]] = []
-        for node, path in _walk_paths(self.nodes, ()):
+        placed: dict[int, FlowPath] = {}
+        repeats: list[tuple[int, FlowPath]] = []
+        for node, path in self.paths():
             if isinstance(node, Do) and node.is_repeat:
                 repeats.append((node.task, path))
                 continue
@@ -172,7 +179,7 @@ def in_reading_order(nodes: Sequence[Node]) -> tuple[Node, ...]:
     """The nodes with every task whole where it is read first, `then` before `else`, and as a repeat where it is read
     again; a condition is not repeated."""
     wholes: dict[int, Do] = {}
-    for node, _ in _walk(nodes, "top"):
+    for node, _ in _paths(nodes, ()):
         if isinstance(node, Do) and not node.is_repeat:
             wholes.setdefault(node.task, node)
     return _ordered(nodes, wholes, set())
@@ -249,26 +256,15 @@ def _read_numbers(value: Any) -> tuple[int, ...]:
     return numbers
 
 
-def _walk(nodes: Sequence[Node], place: str) -> Iterator[tuple[Node, str]]:
-    for node in nodes:
-        yield node, place
-        if isinstance(node, If):
-            yield from _walk(node.then, "then")
-            yield from _walk(node.orelse, "else")
-
-
-def _walk_paths(
-    nodes: Sequence[Node], path: tuple[tuple[int, str], ...]
-) -> Iterator[tuple[Node, tuple[tuple[int, str], ...]]]:
-    """Every node with the branches it lies in: pairs of a condition's number and "then" or "else"."""
+def _paths(nodes: Sequence[Node], path: FlowPath) -> Iterator[tuple[Node, FlowPath]]:
     for node in nodes:
         yield node, path
         if isinstance(node, If):
-            yield from _walk_paths(node.then, (*path, (node.task, "then")))
-            yield from _walk_paths(node.orelse, (*path, (node.task, "else")))
+            yield from _paths(node.then, (*path, (node.task, "then")))
+            yield from _paths(node.orelse, (*path, (node.task, "else")))
 
 
-def _exclusive(first: tuple[tuple[int, str], ...], second: tuple[tuple[int, str], ...]) -> bool:
+def _exclusive(first: FlowPath, second: FlowPath) -> bool:
     sides = dict(first)
     return any(task in sides and sides[task] != side for task, side in second)
 

@@ -71,6 +71,20 @@ def test_mentions_are_numbers_that_are_executed_nowhere() -> None:
     assert Flow.from_json([1, 2]).mentions() == frozenset()
 
 
+def test_a_path_names_the_conditions_above_a_node_outermost_first():
+    flow = Flow.from_json([1, {"if": 2, "then": [{"if": [3, 4], "else": [5]}], "else": [{"same": [5]}, 6]}, 7])
+    assert [(node.task, path) for node, path in flow.paths()] == [
+        (1, ()),
+        (2, ()),
+        (3, ((2, "then"),)),
+        (5, ((2, "then"), (3, "else"))),
+        (5, ((2, "else"),)),
+        (6, ((2, "else"),)),
+        (7, ()),
+    ]
+    assert [place for _, place in flow.walk()] == ["top", "top", "then", "else", "else", "else", "top"]
+
+
 def test_neighbours_are_done_one_right_after_the_other():
     flow = Flow.from_json([1, {"if": [2, 3], "then": [4, 5], "else": [6]}, 7, 8])
     assert list(flow.neighbours()) == [(1, 2), (2, 4), (4, 5), (7, 8)]

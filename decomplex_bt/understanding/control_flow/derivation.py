@@ -76,7 +76,7 @@ def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording], joints: Sequenc
             arcs[i] = Arc("mention", _pointer(i, first, group_of) or TOP)
     targets: dict[int, tuple[str, int, str]] = {}  # pointer, token pointed at, side
     above = _above(flow)
-    for node, parent in _with_parents(flow.nodes, None):
+    for node, parent in _with_parents(flow):
         if isinstance(node, Do) and node.is_repeat:
             continue
         i = node.task - 1
@@ -104,21 +104,17 @@ def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording], joints: Sequenc
     return tuple(arcs)
 
 
-def _with_parents(
-    nodes: Sequence[Node], parent: tuple[int, str] | None
-) -> Iterator[tuple[Node, tuple[int, str] | None]]:
-    for node in nodes:
-        yield node, parent
-        if isinstance(node, If):
-            yield from _with_parents(node.then, (node.task - 1, "then"))
-            yield from _with_parents(node.orelse, (node.task - 1, "else"))
+def _with_parents(flow: Flow) -> Iterator[tuple[Node, tuple[int, str] | None]]:
+    """Every node with the condition right above it, counted from 0, and the side of that."""
+    for node, path in flow.paths():
+        yield node, (path[-1][0] - 1, path[-1][1]) if path else None
 
 
 def _above(flow: Flow) -> dict[int, tuple[int, tuple[int, str] | None]]:
     """Of the tasks that stand on both sides of a condition since they are done between two mentions of it: that
     condition, and where it stands itself, which is where the words have them."""
     found: dict[int, tuple[int, tuple[int, str] | None]] = {}
-    for node, parent in _with_parents(flow.nodes, None):
+    for node, parent in _with_parents(flow):
         if isinstance(node, If):
             for task in _done(node.then) & _done(node.orelse):
                 if node.task < task < max(node.tasks):

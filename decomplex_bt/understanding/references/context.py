@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from decomplex_bt.flow import Flow, If, Node
+from decomplex_bt.flow import Flow, FlowPath, If
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
@@ -38,7 +38,7 @@ class Context:
     pool: list[Candidate] = field(init=False)
     mentions: dict[str, list[str]] = field(init=False, default_factory=dict)
     fillings: dict[int, set[str]] = field(init=False, default_factory=dict)
-    paths: Mapping[int, tuple[tuple[int, str], ...]] = field(init=False)
+    paths: Mapping[int, FlowPath] = field(init=False)
     first: dict[int, int] = field(init=False, default_factory=dict)
     lemmas: dict[int, str] = field(init=False)
     topic: str = field(init=False)
@@ -55,7 +55,7 @@ class Context:
             if candidate.owner:
                 self.fillings.setdefault(candidate.owner, set()).add(candidate.text.lower())
         self.paths = paths_of(self.flow)
-        for node, _ in _walk(self.flow.nodes, ()):
+        for node, _ in self.flow.walk():
             if isinstance(node, If):
                 self.first.update(dict.fromkeys(node.tasks, node.task))
         self.topic = next((c.text.lower() for c in self.pool if c.type == "object"), "")
@@ -139,23 +139,13 @@ def _identified(document: Document, known: Sequence[Candidate]) -> Iterator[Cand
             yield Candidate(text, identity.name, identity.name.stop - 1)
 
 
-def paths_of(flow: Flow) -> Mapping[int, tuple[tuple[int, str], ...]]:
+def paths_of(flow: Flow) -> Mapping[int, FlowPath]:
     """By the number of a task the conditions under which it stands, each with its side, outermost first."""
-    paths: dict[int, tuple[tuple[int, str], ...]] = {}
-    for node, path in _walk(flow.nodes, ()):
+    paths: dict[int, FlowPath] = {}
+    for node, path in flow.paths():
         for number in node.tasks:
             paths.setdefault(number, path)
     return paths
-
-
-def _walk(
-    nodes: Sequence[Node], path: tuple[tuple[int, str], ...]
-) -> Iterator[tuple[Node, tuple[tuple[int, str], ...]]]:
-    for node in nodes:
-        yield node, path
-        if isinstance(node, If):
-            yield from _walk(node.then, (*path, (node.task, "then")))
-            yield from _walk(node.orelse, (*path, (node.task, "else")))
 
 
 def kind_of(context: Context, candidate: Candidate) -> str:
