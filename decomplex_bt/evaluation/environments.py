@@ -8,6 +8,7 @@ from typing import Any
 
 import gymnasium as gym
 
+from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import DecomplexError, InputError
 from decomplex_bt.evaluation.setup import HOUSEHOLD, Setup
 from decomplex_bt.instruction import Instruction
@@ -29,6 +30,13 @@ def make_env(setup: Setup) -> gym.Env[Any, Any]:
             f"{HOUSEHOLD!r}; one that a module of yours registers is written 'module:id', so that every process "
             "finds it"
         ) from error
+
+
+def domain_in(env: gym.Env[Any, Any], setup: Setup) -> Domain:
+    """The domain with the house of the episode, which need not be its own; as it is read where the environment does not
+    tell."""
+    told: Domain = env.get_wrapper_attr("domain") if env.has_wrapper_attr("domain") else load_domain(setup.domain)
+    return told
 
 
 def offered(env: gym.Env[Any, Any], setup: Setup) -> Callable[..., Any]:

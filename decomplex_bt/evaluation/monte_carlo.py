@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache, partial
-from pathlib import Path
 from pickle import PicklingError
 from typing import Any, Literal
 
@@ -35,7 +34,7 @@ from decomplex_bt.evaluation.agents import (
     needs_flow,
 )
 from decomplex_bt.evaluation.blame import Blame, blame_reading, blame_run
-from decomplex_bt.evaluation.environments import check_env, make_env, offered
+from decomplex_bt.evaluation.environments import check_env, domain_in, make_env, offered
 from decomplex_bt.evaluation.lending import lend
 from decomplex_bt.evaluation.planners import Planning, planner_of
 from decomplex_bt.evaluation.row import Outcome, Row
@@ -277,10 +276,11 @@ def _run_in(env: gym.Env[Any, Any], episode: Episode, setup: Setup) -> Row:
         observation, info = env.reset(seed=episode.seed, options={"instruction": episode.gold, **setup.options()})
     except InputError as error:
         return _row(episode, "ungroundable", cause=("grounding", str(error)))
+    domain = domain_in(env, setup)
     ended = partial(_ended, met_at_start=bool(info["is_success"]))
     if episode.reading is None and episode.maker is not None and not needs_flow(episode.maker):
         episode = _as_left_alone(episode)
-    misread = _misreading(episode, setup)
+    misread = _misreading(episode, domain)
     if misread and episode.reading is None:
         return ended(episode, info, misread)
     make = _maker_of(episode, env, planner, setup)
@@ -290,10 +290,10 @@ def _run_in(env: gym.Env[Any, Any], episode: Episode, setup: Setup) -> Row:
         try:
             policy.reset(observation, info)
         except InputError as error:
-            episode = _as_refused(episode, policy, setup)
-            return ended(episode, info, _misreading(episode, setup) or ("grounding", str(error)))
+            episode = _as_refused(episode, policy, domain)
+            return ended(episode, info, _misreading(episode, domain) or ("grounding", str(error)))
         episode = _as_gone_by(episode, getattr(policy, "instruction", None))
-        misread = _misreading(episode, setup)
+        misread = _misreading(episode, domain)
         while not is_over:
             observation, _, terminated, truncated, info = env.step(policy.act(observation))
             steps += 1
@@ -332,30 +332,30 @@ def _as_gone_by(episode: Episode, instruction: Any) -> Episode:
     return replace(episode, source="gold" if is_gold else "own", reading=instruction, reads=True)
 
 
-def _as_refused(episode: Episode, policy: Any, setup: Setup) -> Episode:
+def _as_refused(episode: Episode, policy: Any, domain: Domain) -> Episode:
     """The episode of a tree agent of one's own that refused what it had read: that is read anew."""
     from decomplex_bt.behaviour.agent import TreeAgent
 
     if episode.reads or not isinstance(policy, TreeAgent):
         return episode
-    found = policy.flow or _understand([episode.gold.text], load_domain(setup.domain))[0]
+    found = policy.flow or _understand([episode.gold.text], domain)[0]
     if isinstance(found, Instruction):
         return _as_gone_by(episode, found)
     return replace(episode, source="own", reading=None, problem=found, reads=True)
 
 
-def _misreading(episode: Episode, setup: Setup) -> Blame | None:
+def _misreading(episode: Episode, domain: Domain) -> Blame | None:
     """What is wrong with the agent's reading; None where nothing is, or where it reads nothing."""
     if not episode.reads or episode.reading == episode.gold:
         return None
     if episode.reading is None:
         return "understanding", episode.problem or "not understood"
-    return _compared(episode.reading, episode.gold, setup.domain)
+    return _compared(episode.reading, episode.gold, domain)
 
 
 @lru_cache(maxsize=64)
-def _compared(reading: Instruction, gold: Instruction, domain: str | Path) -> Blame | None:
-    return blame_reading(reading, gold, load_domain(domain))
+def _compared(reading: Instruction, gold: Instruction, domain: Domain) -> Blame | None:
+    return blame_reading(reading, gold, domain)
 
 
 def _understand(texts: Sequence[str], domain: Domain) -> list[Instruction | str]:

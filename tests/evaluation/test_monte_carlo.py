@@ -16,6 +16,7 @@ from decomplex_bt.errors import InputError
 from decomplex_bt.evaluation.blame import blame_run
 from decomplex_bt.evaluation.monte_carlo import Setup, evaluate, evaluate_agents, plan_episodes, run_episode
 from decomplex_bt.evaluation.summary import summarise
+from decomplex_bt.planning.grounding import ground
 
 DOMAIN = load_domain("household")
 CORPUS = """
@@ -118,6 +119,16 @@ def test_a_wrong_reading_is_a_failure_of_understanding():
 def test_a_reading_that_does_not_ground_where_the_gold_one_does_is_one_too():
     wrong = parse_corpus(CORPUS.replace("(1:object)", "(1:object=the dragon)"), DOMAIN.ontology)[0]
     assert run_episode(episode(reading=wrong.instruction), SETUP).stage == "understanding"
+
+
+def test_readings_are_compared_in_the_house_of_the_episode():
+    corpus = "- {id: a, text: '[Look](1:searching) [for five armchairs](1:object%s) now.', flow: [1]}"
+    gold, wrong = (parse_corpus(corpus % referent, DOMAIN.ontology)[0] for referent in ("", "=the bed"))
+    with pytest.raises(InputError, match="only one in this house"):
+        ground(gold.instruction, DOMAIN)
+    large = replace(SETUP, env_id="decomplex_bt/HouseholdLarge-v0", max_seconds=1.0)
+    row = run_episode(episode(gold=gold.instruction, reading=wrong.instruction), large)
+    assert (row.outcome, row.stage, row.understood) == ("failure", "understanding", False)
 
 
 def test_a_text_that_could_not_be_read_is_one_too():
