@@ -25,6 +25,9 @@ ODD = r"""
   flow: [{if: 1, else: [2]}]
   source: "here: there"
   note: "# no comment"
+- {id: empty of tasks, text: "Hello, \U0001f916!", flow: []}
+"""
+BREAKS = r"""
 - id: "line\x85breaks"
   text: "\
     \x85\u2028[Turn](1:change_state) \
@@ -32,7 +35,6 @@ ODD = r"""
   implied: {1: {state: "o\x85n"}}
   flow: [1]
   note: "so\x85far"
-- {id: empty of tasks, text: "Hello, \U0001f916!", flow: []}
 """
 
 
@@ -58,9 +60,10 @@ def test_the_shipped_corpus_survives_a_round_trip(form: str, domain: Domain, shi
 
 @pytest.mark.parametrize("form", WRITTEN)
 def test_odd_texts_survive_a_round_trip(form: str, domain: Domain, tmp_path: Path) -> None:
-    (tmp_path / "odd.yaml").write_text(ODD, encoding="utf-8")
-    examples = parse_corpus(ODD, domain.ontology, path="odd.yaml")
+    (tmp_path / "odd.yaml").write_text(ODD + BREAKS, encoding="utf-8")
+    examples = parse_corpus(ODD + BREAKS, domain.ontology, path="odd.yaml")
     assert "\n" in examples[0].instruction.text
+    assert "\x85" in examples[-1].instruction.text
     target = tmp_path / f"out/odd{FORMATS[form].suffixes[0]}"
     convert(tmp_path / "odd.yaml", target, domain, to=form)
     assert read_examples(target, domain) == examples
